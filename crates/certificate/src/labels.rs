@@ -169,7 +169,8 @@ impl Labels {
         self.put(Column::BoundaryPlace, b, i);
     }
 
-    /// Puts one cycle of each component, and all isolated vertices, into an unbounded face, number 0. Others have their own.
+    /// Puts one cycle of each component, and all isolated vertices, into an unbounded face, number 0. Every other cycle bounds a
+    /// face of its own.
     fn invent_faces<V: View + ?Sized>(&mut self, view: &V) -> Result<(), LabelsError> {
         let outside = outsides(&Answers::new(view, self))?;
         self.column_mut(Column::FaceOuter).push(NIL);

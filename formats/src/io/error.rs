@@ -6,7 +6,8 @@ use core::fmt;
 use std::io;
 use thiserror::Error;
 
-/// The greatest number of geometry collections that a reader accepts around a geometry, to limit the stack.
+/// The greatest number of geometry collections that a reader accepts around a geometry, to limit the stack. RFC 7946 advises
+/// against nesting them.
 pub const MAX_NESTED_COLLECTIONS: usize = 32;
 
 /// A place in a text.

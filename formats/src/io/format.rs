@@ -191,7 +191,8 @@ pub(super) fn is_sqlite(head: &[u8]) -> bool {
     head.starts_with(b"SQLite format 3\0")
 }
 
-/// Returns true if a database has an application id of `GeoPackage` (from version 1.0, 1.1, or later), or such a table.
+/// Returns true if a database has an application id of `GeoPackage` (of version 1.0, 1.1, or later), or the table that every
+/// `GeoPackage` has.
 pub(super) fn is_geopackage(head: &[u8]) -> bool {
     const TABLE: &[u8] = b"gpkg_contents";
     matches!(head.get(68..72), Some(b"GPKG" | b"GP10" | b"GP11")) || head.windows(TABLE.len()).any(|word| word == TABLE)

@@ -77,7 +77,7 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// Judges G1, and G4 for the parts that pass G1. O(n log n) for n points, plus O(p) for p pairs of boxes, if lines clash.
+    /// Judges G1, and G4 for the parts that pass G1. O(n log n) for n points, plus O(p) for p overlapping boxes, if lines clash.
     pub(super) fn judge(&mut self, collect: Collect) -> Drawing {
         let edges = |lines: &Self| lines.is_line.iter().filter(|is_line| **is_line).count() as u64;
         let nodes = self.is_vertex.iter().take(self.topology.nodes.len());

@@ -2,7 +2,8 @@
 //!
 //! Segments drawn by hand or read from files cross, touch and overlap. [`node`] cuts them wherever they meet and rounds the cuts
 //! to a grid. The result is the exact drawing of a plane graph in `f64` coordinates: every point is on the grid, edges are
-//! distinct and not of zero length, and two edges meet at a common end or not at all. It never fails on finite input.
+//! distinct and not of zero length, and two edges meet at a common end or not at all. It never fails on finite input within reach
+//! of the grid.
 //!
 //! ```
 //! use twinedge_geometry::Point;

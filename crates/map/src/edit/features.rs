@@ -55,7 +55,8 @@ impl PlanarMap {
     /// ```
     ///
     /// # Errors
-    /// [`EditError::NoSuchFeature`] (or a removed one); [`EditError::Operator`] if the policy of an attribute refuses.
+    /// [`EditError::NoSuchFeature`], also after a removal; [`EditError::Operator`] if the policy of an attribute refuses. Nothing
+    /// changes then.
     pub fn remove_feature(&mut self, feature: FeatureId) -> Result<Option<String>, EditError> {
         self.checked([feature])?;
         self.announce_feature(Step::Drop(feature.data()))?;
