@@ -134,7 +134,6 @@ impl<V: View + ?Sized, C: Columns> Answers<'_, V, C> {
         });
     }
 
-    /// Runs the tests of a half-edge until `passes` returns false.
     #[inline(always)]
     fn half_edge_ok(
         &self,

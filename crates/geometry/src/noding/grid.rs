@@ -98,7 +98,6 @@ impl Cell {
     }
 }
 
-/// A grid of cells, and the finer grid on which the input is read.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Grid {
     cell: Cell,
