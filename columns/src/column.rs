@@ -129,6 +129,7 @@ impl<T: Cell> Links for &[T] {
     }
 }
 
+/// A column that goes forward in memory: one addition less for each link.
 #[derive(Debug)]
 pub(crate) struct Forward<'a, T> {
     cells: &'a [T],

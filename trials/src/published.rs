@@ -23,6 +23,7 @@ fn power_of_three(n: u128) -> u128 {
     (0..n).fold(1, |power, _| 3 * power)
 }
 
+/// Up to this number, every step of the formulas below fits into 128 bits.
 const MOST_EDGES: usize = 32;
 
 /// Returns the number of rooted planar maps with n edges (Tutte, *A census of planar maps*, 1963; OEIS A000168).

@@ -74,6 +74,7 @@ impl<T> Table<T> {
         self.find(number).expect("a record that is linked is in its table")
     }
 
+    /// Copies the records of another table, each with its number.
     fn copy(&mut self, other: &Self, copy: impl Fn(Link<T>) -> T) {
         for record in &other.0 {
             self.0.push(record.map(|record| Link(NonNull::from(Box::leak(Box::new(copy(record)))))));
@@ -148,6 +149,7 @@ impl Half {
         self.is_outer.get()
     }
 
+    /// Returns the next half-edge counter-clockwise around the same vertex.
     fn counter_clockwise(self) -> Self {
         self.prev().twin()
     }
@@ -539,6 +541,7 @@ impl RawPointers {
         Ok(())
     }
 
+    /// Returns the starts of the inner boundary components of a face.
     fn inner_starts(&self, face: usize) -> Vec<Start> {
         let (mut starts, mut seen) = (Vec::new(), BTreeSet::new());
         for h in self.half_edges.all().filter(|h| h.face().number == face && !h.is_outer()) {

@@ -89,6 +89,7 @@ impl Shard {
         self.count == 1
     }
 
+    /// Returns true if the piece with this number is in this part.
     pub(crate) const fn has(self, number: u64) -> bool {
         number % self.count as u64 == self.index as u64
     }
@@ -102,6 +103,7 @@ impl Shard {
         self.has(hash ^ hash >> 32)
     }
 
+    /// Returns the numbers below `count` that are in this part.
     pub(crate) fn numbers(self, count: usize) -> impl ExactSizeIterator<Item = usize> {
         (self.index as usize..count.max(self.index as usize)).step_by(self.count as usize)
     }

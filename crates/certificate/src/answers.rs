@@ -38,6 +38,7 @@ impl<'a, V: View + ?Sized, C: Columns> Answers<'a, V, C> {
         self.labels.column(Column::HalfEdgeRank).count() == self.half_edges && slots.iter().all(|n| *n <= MOST_SLOTS)
     }
 
+    /// Returns true if the structure has records for boundary components.
     #[inline(always)]
     pub(super) fn by_record(&self) -> bool {
         self.parts.has(Part::BoundaryComponents)

@@ -134,6 +134,7 @@ impl<V: View + ?Sized, C: Columns> Answers<'_, V, C> {
         });
     }
 
+    /// Runs the tests of a half-edge until `passes` returns false.
     #[inline(always)]
     fn half_edge_ok(
         &self,

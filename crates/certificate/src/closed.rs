@@ -125,6 +125,7 @@ fn put(column: &mut [u32], slot: Link, number: usize) {
     }
 }
 
+/// Returns the number for the first column of a kind of record.
 const fn live(is_live: bool, number: u32) -> u32 {
     if is_live { number } else { VACANT }
 }

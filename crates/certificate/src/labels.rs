@@ -325,6 +325,7 @@ impl Ranks {
         }
     }
 
+    /// Adds the starts of the inner boundary components of a face.
     fn add_inner<V: View + ?Sized>(&mut self, s: &Answers<'_, V>, f: usize) {
         let count = s.inner_count(f).min(self.entries);
         self.entries -= count;

@@ -113,6 +113,7 @@ impl<V: View + ?Sized, C: Columns> Surface<'_, V, C> {
         }
     }
 
+    /// Returns the half-edge at the start of the boundary component.
     #[inline(always)]
     pub(super) fn start(&self, b: usize) -> Link {
         match self.0.by_name() {
@@ -122,6 +123,7 @@ impl<V: View + ?Sized, C: Columns> Surface<'_, V, C> {
         }
     }
 
+    /// Returns true if the boundary component is the outer one of its face.
     fn bounds_its_face(&self, b: usize) -> bool {
         let is_outer = |f| self.0.outer(f) == Some(b);
         !self.0.by_record()

@@ -11,6 +11,7 @@ use twinedge_algorithm::claims::features_of;
 use twinedge_geometry::Point;
 use twinedge_map::{FeatureId, PlanarMap};
 
+/// The gaps, and the unclaimed faces that are not gaps.
 #[derive(Default)]
 pub(crate) struct Gaps {
     pub(super) findings: Vec<Finding>,

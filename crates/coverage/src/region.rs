@@ -16,6 +16,7 @@ pub(crate) fn segment_length([a, b]: [Point; 2]) -> f64 {
     (b.x - a.x).hypot(b.y - a.y)
 }
 
+/// Returns the coordinates of the origin and the target of a half-edge.
 pub(crate) fn ends(map: &PlanarMap, h: HalfEdge<'_>) -> [Point; 2] {
     [h.origin(), h.target()].map(|v| map.point(v.index()))
 }
@@ -102,6 +103,7 @@ pub(super) fn first_corner(points: impl Iterator<Item = Point>) -> Point {
     points.min_by(|a, b| compare_lexicographic(*a, *b)).unwrap_or_default()
 }
 
+/// Returns twice the area divided by the length of the border.
 pub(crate) fn mean_width(area: f64, length: f64) -> f64 {
     if length > 0.0 { 2.0 * area / length } else { 0.0 }
 }

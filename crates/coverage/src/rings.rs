@@ -55,6 +55,7 @@ pub(super) struct Meet {
     pub(super) segments: [usize; 2],
 }
 
+/// The segments of rings, numbered one ring after the other.
 struct Segments<'a> {
     rings: &'a [Ring],
     /// The number of the first segment of each ring.
@@ -63,6 +64,7 @@ struct Segments<'a> {
 }
 
 impl Segments<'_> {
+    /// Returns the ring of a segment, and its index there.
     fn place(&self, segment: u32) -> (usize, usize) {
         let ring = self.ring[segment as usize];
         (ring as usize, (segment - self.first[ring as usize]) as usize)
@@ -82,6 +84,7 @@ pub(super) struct Rings<'a> {
     right: f64,
 }
 
+/// Calls a function with an index of rings. O(n log n) for n points.
 pub(super) fn with_index<T>(all: &[Ring], ask: impl FnOnce(&Rings<'_>) -> T) -> T {
     let (mut first, mut ring) = (Vec::with_capacity(all.len()), Vec::new());
     for (number, one) in (0..).zip(all) {
@@ -121,6 +124,7 @@ impl Rings<'_> {
         meets.collect()
     }
 
+    /// Returns the contact of two segments, and its location.
     fn contact(&self, (r, i): (usize, usize), (q, j): (usize, usize)) -> Option<(Contact, Point)> {
         let (one, other) = (&self.all[r], &self.all[q]);
         let ([a, b], [c, d]) = (one.segment(i), other.segment(j));
@@ -234,6 +238,7 @@ fn crosses_at(at: Point, [before, after]: [Point; 2], [one, other]: [Point; 2]) 
     !along && is_between(at, before, after, one) != is_between(at, before, after, other)
 }
 
+/// Returns the crossing point of two segments that cross, rounded.
 fn crossing(a: Point, b: Point, c: Point, d: Point) -> Point {
     let (ux, uy, vx, vy) = (b.x - a.x, b.y - a.y, d.x - c.x, d.y - c.y);
     let t = ((c.x - a.x) * vy - (c.y - a.y) * vx) / (ux * vy - uy * vx);

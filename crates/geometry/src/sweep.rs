@@ -204,6 +204,7 @@ impl<'a> Line<'a> {
         }
     }
 
+    /// Moves the line over all events, or until `stops` returns true.
     fn run(&mut self, stops: impl Fn(&Self) -> bool) -> Below {
         let mut below = vec![NIL; self.points.len()];
         for event in 0..self.events.len() {
@@ -218,6 +219,7 @@ impl<'a> Line<'a> {
         Below(below)
     }
 
+    /// Moves the line over an event. Returns the node directly below it.
     fn pass(&mut self, event: usize) -> u32 {
         let Event { at, vertex } = self.events[event];
         let mut starts = self.first[event] as usize..self.first[event + 1] as usize;
@@ -265,6 +267,7 @@ impl<'a> Line<'a> {
         gap
     }
 
+    /// Sorts segments that start at a point by angle, lowest first.
     fn sort(&mut self, at: Point, starts: Range<usize>) {
         let events = &self.events;
         threads::sort_unstable_by(&mut self.starts[starts], |a, b| {
@@ -320,6 +323,7 @@ impl<'a> Line<'a> {
         (below, last, node)
     }
 
+    /// Replaces a strand that ends by a segment that starts.
     fn replace(&mut self, node: u32, at: Point, start: usize) {
         self.status.replace(node, self.strand(at, start));
         self.arriving[self.starts[start].end as usize] = node;

@@ -8,6 +8,7 @@ use super::feature_tries::{FeatureTries, Members, SetId, SetOperation};
 use crate::FeatureId;
 use std::collections::BTreeSet;
 
+/// The sets of features of the faces and edges of a map, by index.
 #[derive(Clone, Debug, Default)]
 pub(super) struct FeatureSets {
     sets: FeatureTries,

@@ -28,6 +28,7 @@ impl Notes {
         self.0.as_ref().map_or(0, Vec::len)
     }
 
+    /// Removes and returns all entries but the first ones.
     pub(super) fn split_off(&mut self, first: usize) -> Vec<MapEntry> {
         self.0.as_mut().map(|entries| entries.split_off(first)).unwrap_or_default()
     }

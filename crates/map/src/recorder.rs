@@ -104,6 +104,7 @@ impl PlanarMap {
         written
     }
 
+    /// Exchanges the current value and the value of an entry.
     fn exchange(&mut self, entry: &mut MapEntry, way: Way) {
         match entry {
             MapEntry::Point(v, point) => mem::swap(&mut self.points[*v as usize], point),

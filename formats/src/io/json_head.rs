@@ -50,6 +50,7 @@ impl<'t> JsonHead<'t> {
         head
     }
 
+    /// Returns the value of a member of the outermost object, if it is a string.
     pub(super) fn member(&self, name: &str) -> Option<&'t str> {
         self.members.iter().find(|(key, _)| *key == name).map(|(_, value)| *value)
     }

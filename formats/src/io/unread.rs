@@ -38,6 +38,7 @@ pub fn unread_geometry(kind: u32) -> String {
     }
 }
 
+/// Returns the number of the first unsupported type in a text. O(bytes).
 #[cfg(feature = "wkt")]
 pub(super) fn unread_in(text: &str) -> Option<u32> {
     let of_word = |word: &str| {

@@ -50,6 +50,7 @@ impl Extent {
         if self.is_known() && !is_inside { Err(Cause::OutOfBox) } else { Ok(()) }
     }
 
+    /// Returns this box if it states a location, or else the one around it.
     pub(super) fn or(self, around: Self) -> Self {
         if self.is_known() { self } else { around }
     }

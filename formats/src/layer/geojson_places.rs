@@ -6,6 +6,7 @@ use super::geojson_scan::{Array, Scan, Turn};
 use std::io::{self, BufRead};
 use std::ops::Range;
 
+/// The ranges of features and of the collection's box, in bytes.
 #[derive(Debug, Default, PartialEq)]
 pub(super) struct Places {
     pub(super) features: Vec<Range<u64>>,

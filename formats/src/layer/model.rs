@@ -210,6 +210,7 @@ impl Value {
     }
 }
 
+/// Converts a 64-bit number to JSON: integers without a point.
 pub(super) fn json_number(number: f64) -> serde_json::Value {
     const EXACT: f64 = 1e15;
     let is_whole = number.abs() < EXACT && number.fract() == 0.0 && !(number == 0.0 && number.is_sign_negative());

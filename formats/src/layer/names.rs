@@ -7,6 +7,7 @@ use std::sync::Arc;
 pub(super) struct Names(FxHashMap<Box<str>, Arc<str>>);
 
 impl Names {
+    /// Returns the shared copy of a name. O(its length), expected.
     pub(super) fn get(&mut self, name: &str) -> Arc<str> {
         if let Some(known) = self.0.get(name) {
             return known.clone();

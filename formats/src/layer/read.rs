@@ -10,6 +10,7 @@ use std::io::{BufReader, Cursor, Read};
 use std::path::Path;
 use std::sync::Arc;
 
+/// The number of bytes that are examined to detect the format.
 const HEAD: u64 = 1 << 16;
 
 /// Options for reading a layer.
@@ -92,6 +93,7 @@ pub fn read(
     }
 }
 
+/// Reads a file from an archive. An archive inside it is not unpacked.
 #[cfg(feature = "archive")]
 fn read_unpacked(path: &Path, options: &ReadOptions, each: &mut Each<'_>) -> Result<Header, ReadError> {
     let mut file = BufReader::new(File::open(path)?);

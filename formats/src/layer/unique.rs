@@ -2,6 +2,7 @@
 
 use std::collections::HashSet;
 
+/// Returns a name that no other column has, ignoring case.
 pub(super) fn unique(name: &str, taken: &mut HashSet<String>) -> String {
     let mut free = if name.is_empty() { "field".to_owned() } else { name.to_owned() };
     for number in 1.. {

@@ -20,6 +20,7 @@ use super::{Finding, Findings, HalfEdgeMesh, IndexedMesh, Kind, repeated};
 use petgraph::unionfind::UnionFind;
 use twinedge::validate::Collect;
 
+/// One side of an edge: a half-edge, and the larger vertex of the edge.
 #[derive(Clone, Copy)]
 struct Side {
     half_edge: u32,
@@ -155,6 +156,7 @@ impl<'a> HalfEdgeMesh<'a> {
         flipped
     }
 
+    /// Handles all sides of one edge, in the order of their faces.
     fn join_edge(&mut self, sides: &[u32], flipped: &mut Vec<[u32; 2]>, findings: &mut Findings) {
         self.edges += 1;
         let face = |h: u32| self.face_of[h as usize];
@@ -181,6 +183,7 @@ impl<'a> HalfEdgeMesh<'a> {
         }
     }
 
+    /// Finds unused vertices, and those where several fans meet.
     fn check_vertices(&self, degrees: &[u32], findings: &mut Findings) {
         let mut suspects = Vec::new();
         for (vertex, degree) in degrees.iter().enumerate() {

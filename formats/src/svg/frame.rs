@@ -22,6 +22,7 @@ impl Frame {
         Self { bounds, scale, size, whole }
     }
 
+    /// Returns a panel of this size, with the bounds in its middle.
     pub(super) fn within(bounds: Bounds, size: [f64; 2], margin: f64) -> Self {
         let sides = bounds.sides();
         let fits = [0, 1].map(|i| if sides[i] > 0.0 { (size[i] - 2.0 * margin) / sides[i] } else { f64::INFINITY });
@@ -40,6 +41,7 @@ impl Frame {
         [0, 1].map(|i| from[i] * self.scale + (self.size[i] - sides[i] * self.scale) / 2.0)
     }
 
+    /// Returns true if the box around these points meets the panel.
     pub(super) fn shows(&self, points: impl IntoIterator<Item = Point>) -> bool {
         Bounds::around(points).meets(&self.bounds)
     }

@@ -16,6 +16,7 @@ pub(super) fn outlines(map: &PlanarMap) -> Vec<Vec<Vec<Point>>> {
     edges.into_iter().map(|edges| closed(map, &edges)).collect()
 }
 
+/// The edges at each vertex, with the vertex at the other end.
 type Around = BTreeMap<usize, Vec<(usize, usize)>>;
 
 /// Returns closed walks that use each of these edges once, except those that a ring follows in both directions.

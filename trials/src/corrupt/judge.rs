@@ -176,6 +176,7 @@ impl<'a> Judge<'a> {
         }
     }
 
+    /// Runs the validator and the reference, and records differences.
     fn compare(&self, corruption: Corruption<'a>, table: &Table) -> Tally {
         let (checker, expectation) = (self.court.checker, &corruption.specimen.expectation);
         let (answer, time) = self.watched.time(corruption, || catch(|| checker.check(table, expectation)));

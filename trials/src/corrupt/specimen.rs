@@ -45,6 +45,7 @@ pub(super) struct Specimen {
     program: String,
     /// True for at most one edge and two vertices.
     pub(super) is_smallest: bool,
+    /// The number of the form in [`held_to`], if it is one of [`Family::Every`].
     pub(super) number: Option<usize>,
 }
 

@@ -62,6 +62,7 @@ const ORDER: [Rule; 22] = [
     Rule::M8,
 ];
 
+/// Returns true if the reference finds no broken rule.
 pub(super) fn is_right(table: &OpenTable, expectation: &Expectation) -> bool {
     table.all_hold(ORDER.len(), |rule| first_broken_of(table, expectation, &ORDER[rule..=rule]).is_none())
 }

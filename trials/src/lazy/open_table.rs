@@ -239,6 +239,7 @@ impl OpenTable {
         Some(records)
     }
 
+    /// Returns the number of tables that agree with all cells read.
     pub(super) fn agreeing(&self) -> u128 {
         self.agreeing.get()
     }
@@ -433,6 +434,7 @@ impl OpenTable {
         record < records.count && (!records.vacant || self.value(cell) == 0)
     }
 
+    /// Returns the value of a cell of a record; nil if that is vacant.
     fn field(&self, records: Records, record: usize, field: usize) -> usize {
         if self.is_live(records, record) {
             self.value(records.before + record * records.width + field).into()

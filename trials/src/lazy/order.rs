@@ -10,6 +10,7 @@ pub(super) struct Order {
 }
 
 impl Order {
+    /// Returns the number of places for one more among this many.
     pub(super) const fn places(numbers: usize) -> usize {
         2 * numbers + 1
     }

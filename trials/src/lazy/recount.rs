@@ -86,6 +86,7 @@ impl Map {
         Self { half_edges: next.len(), cycles: orbits(next), rotations: orbits(&around), components, simple }
     }
 
+    /// Returns the sum of the genera of its components, by Euler's formula.
     fn genus(&self) -> usize {
         (self.half_edges / 2 + 2 * self.components - self.rotations.len() - self.cycles.len()) / 2
     }
@@ -159,6 +160,7 @@ fn orbits(permutation: &[usize]) -> Vec<u128> {
     lengths
 }
 
+/// Calls `visit` with every order of the first elements.
 fn for_each_permutation(order: &mut [usize], first: usize, visit: &mut impl FnMut(&[usize])) {
     if first <= 1 {
         return visit(order);

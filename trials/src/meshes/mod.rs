@@ -131,6 +131,7 @@ impl<K: Subject> Worker<'_, K> {
         }
     }
 
+    /// Returns the structure and the reference, both with this triangulation.
     fn begin(&mut self, row: usize, map: &Triangulation) -> Option<InStep<K>> {
         let made = catch(|| self.structure.make(map)).map_err(|panic| format!("panicked: {panic}"));
         let made = made.and_then(|made| made.map_err(|refusal| format!("it cannot be made: {refusal}")));

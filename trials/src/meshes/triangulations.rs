@@ -11,6 +11,7 @@ pub struct Triangulation {
     pub triangles: Vec<[usize; 3]>,
 }
 
+/// The vertex opposite to the left of each directed edge.
 type Opposite = BTreeMap<(usize, usize), usize>;
 
 impl Triangulation {

@@ -120,6 +120,7 @@ impl<K: Subject + Clone> Worker<'_, K> {
     }
 }
 
+/// Returns true if a valid map with these counts is in the scope.
 fn is_in_scope(scope: Scope, counts: &Counts) -> bool {
     match scope {
         Scope::Connected { edges } => counts.edges <= edges && counts.components == Some(1),
@@ -167,6 +168,7 @@ fn as_promised(op: Op, before: &Counts, after: &Counts) -> bool {
     })
 }
 
+/// Returns true if two structures agree on every slot.
 fn same<V: View>(one: &V, other: &V) -> bool {
     let slots = |map: &V| (map.vertex_slots(), map.half_edge_slots(), map.boundary_slots(), map.face_slots());
     let (vertices, half_edges, boundaries, faces) = slots(one);

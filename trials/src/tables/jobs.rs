@@ -98,6 +98,7 @@ fn blank(vertices: usize, half_edges: usize, boundaries: usize, lists: &[usize])
     }
 }
 
+/// Returns a table of half-edges alone, with these twins.
 fn with_twins(twins: &[usize]) -> Table {
     let mut table = blank(0, twins.len(), 0, &[]);
     for (h, twin) in twins.iter().enumerate() {
@@ -145,6 +146,7 @@ fn job(name: &'static str, half_edges: usize, form: Form, assignments: Vec<Assig
     Job { name, half_edges, from: half_edges, expectation: form.expectation, derive_origins: false, assignments, right }
 }
 
+/// Every link between two half-edges and two vertices.
 fn every_link() -> Job {
     let all = Assignments::new(blank(2, 2, 0, &[]), MAP, |_| Some(To::OrNil));
     let right = formulas::maps_with_leaving(1, 2);
@@ -169,6 +171,7 @@ fn twins_of_four() -> Job {
     Job { derive_origins: true, ..job("twin, next", 4, BARE, vec![all], formulas::maps(2)) }
 }
 
+/// Every `next` for every way to pair off the half-edges.
 fn paired(name: &'static str, edges: usize, form: Form, right: u128) -> Job {
     let is_free = |cell| matches!(cell, Cell::Next(_)).then_some(To::Live);
     let of_pairing = |twins: &Vec<usize>| Assignments::new(with_twins(twins), form, is_free);

@@ -300,6 +300,7 @@ impl Plan {
         Ok(triangulations)
     }
 
+    /// Returns the corner where a directed edge is attached.
     fn corner_of(&self, e: u32) -> Corner {
         let before = self.drawn.get(self.before[e as usize] as usize).copied().flatten();
         before.map_or(Corner::Isolated(self.from[e as usize]), Corner::At)

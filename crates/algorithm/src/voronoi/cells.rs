@@ -38,6 +38,7 @@ impl Drawing {
         number
     }
 
+    /// Draws a segment, unless its ends have been rounded to one point.
     fn segment(&mut self, ends: [u32; 2], sites: [u32; 2]) {
         if ends[0] != ends[1] {
             self.segments.push(ends);

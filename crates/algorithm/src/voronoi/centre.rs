@@ -37,6 +37,7 @@ impl Long {
     }
 }
 
+/// Returns the circumcentre of three points that turn counter-clockwise.
 pub(super) fn centre([a, b, c]: [Point; 3]) -> Point {
     let from_a = |p: Point| [Long::difference(p.x, a.x), Long::difference(p.y, a.y)];
     let ([bx, by], [cx, cy]) = (from_a(b), from_a(c));

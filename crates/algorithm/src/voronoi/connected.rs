@@ -138,6 +138,7 @@ fn turns_once(corners: impl Iterator<Item = [Point; 3]>, way: Orientation) -> bo
     lowest == 1
 }
 
+/// Returns true if the cycle runs along a line and back.
 fn is_chain(mut corners: impl Iterator<Item = [Point; 3]>, points: &[Point], origin: &[u32]) -> bool {
     origin.len() == 2 * (points.len() - 1) && corners.all(|[a, b, c]| orientation(a, b, c) == Orientation::Collinear)
 }
@@ -151,6 +152,7 @@ pub(super) fn vertex(map: &PlanarMap, number: u32) -> Option<VertexKey> {
     map.dcel().vertex_at(index as usize).map(|v| v.key())
 }
 
+/// Returns the half-edge of a segment, from its first point to its second.
 pub(super) fn half_edge(map: &PlanarMap, segment: u32) -> Option<HalfEdge<'_>> {
     map.dcel().half_edge_at(Assembly::half_edge_index(2 * segment) as usize)
 }

@@ -73,6 +73,7 @@ impl Sites {
 }
 
 impl Sites {
+    /// Returns the first site at each point, by its vertex number.
     pub(super) fn first(&self) -> Vec<usize> {
         let mut first = vec![0; self.triangulation.num_vertices()];
         for (site, number) in self.numbers.iter().enumerate().rev() {

@@ -173,6 +173,7 @@ impl LayerFinding {
     }
 }
 
+/// Sorts findings by rule and deviation, then by falling area and length.
 pub(super) fn sort(findings: &mut [LayerFinding]) {
     findings.sort_by(|a, b| {
         let by_kind = (a.rule(), a.deviation).cmp(&(b.rule(), b.deviation));

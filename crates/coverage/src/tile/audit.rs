@@ -67,6 +67,7 @@ fn borrowed<F: Borrow<Feature>>(features: &[(u32, F)]) -> impl Iterator<Item = (
     features.iter().map(|(number, feature)| (*number, feature.borrow()))
 }
 
+/// Finds all cuts; the inner error means that there are too many.
 fn complete<F: Borrow<Feature>, E: Send>(
     grid: &Grid,
     cuts: &mut Cuts,

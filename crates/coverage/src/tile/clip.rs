@@ -40,6 +40,7 @@ impl Bounds {
             && self.top.is_none_or(|y| p.y < y)
     }
 
+    /// Returns true if the closed box between two corners meets the tile.
     pub(super) fn meets(&self, low: Point, high: Point) -> bool {
         self.left.is_none_or(|x| x <= high.x)
             && self.right.is_none_or(|x| low.x < x)

@@ -393,6 +393,7 @@ fn chains_of(shape: &Shape) -> Vec<Chain<'_>> {
     }
 }
 
+/// Returns the segments of a chain, without zero-length segments.
 fn steps(Chain { points, is_closed }: Chain<'_>) -> impl Iterator<Item = (Point, Point)> {
     let closing = points.last().copied().zip(points.first().copied()).filter(|_| is_closed);
     let steps = points.windows(2).map(|pair| (pair[0], pair[1])).chain(closing);
@@ -422,6 +423,7 @@ fn in_order(a: Point, b: Point) -> Ends {
     if compare_points(a, b).is_le() { [a, b] } else { [b, a] }
 }
 
+/// Returns true if the box around a segment meets a tile.
 fn meets(bounds: &Bounds, [a, b]: &Ends) -> bool {
     // The smaller end is on the left.
     bounds.meets(Point::new(a.x, a.y.min(b.y)), Point::new(b.x, a.y.max(b.y)))

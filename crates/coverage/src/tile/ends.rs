@@ -3,6 +3,7 @@
 use core::cmp::Ordering;
 use twinedge_geometry::Point;
 
+/// An edge by its ends, the lexicographically smaller one first.
 pub(super) type Ends = [Point; 2];
 
 /// Compares points by a total order: lexicographical for finite points without −0.

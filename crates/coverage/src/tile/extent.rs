@@ -15,6 +15,7 @@ pub(super) fn around(mut points: impl Iterator<Item = Point>) -> Option<[Point; 
     }))
 }
 
+/// Returns the rings of a polygon, or nothing for other shapes.
 pub(super) fn rings(shape: &Shape) -> &[Vec<Point>] {
     if let Shape::Polygon(rings) = shape { rings } else { &[] }
 }

@@ -14,6 +14,7 @@ use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
 use twinedge_map::FeatureId;
 
+/// Returns the findings of a plane map whose tiles are all merged.
 pub(super) fn coverage(summary: &Summary) -> Coverage {
     let Summary { limits, lengths, areas, closed, .. } = summary;
     let gap_width = limits.gap_width.unwrap_or_else(|| width_by(lengths.clone()));

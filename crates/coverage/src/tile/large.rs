@@ -58,6 +58,7 @@ fn corner(bounds: &Bounds, side: Side) -> Option<Point> {
     Some(Point::new(x?, y?))
 }
 
+/// Returns the ends of the part of an edge in the tile, rounded.
 fn clipped(local: &Local<'_>, part: &Part) -> Ends {
     let at = |contact: Option<u32>, end: Point| {
         let side = contact.map(|contact| local.contacts[contact as usize].0);
@@ -66,6 +67,7 @@ fn clipped(local: &Local<'_>, part: &Part) -> Ends {
     [at(part.entry, part.ends[0]), at(part.exit, part.ends[1])]
 }
 
+/// Returns the point where an edge passes a side, rounded.
 fn passage(bounds: &Bounds, side: Side, [a, b]: Ends) -> Option<Point> {
     let along = |from: f64, to: f64, part: f64| from + (to - from) * part.clamp(0.0, 1.0);
     Some(match side {

@@ -95,6 +95,7 @@ impl<'a> Local<'a> {
         self.parts[part as usize].half_edges[usize::from(!is_entry)]
     }
 
+    /// Returns the contact at which a half-edge leaves the tile, if it does.
     pub(super) fn leaves_at(&self, h: usize) -> Option<u32> {
         let part = &self.parts[self.part_of[h] as usize];
         if part.half_edges[0] == h { part.exit } else { part.entry }
@@ -104,6 +105,7 @@ impl<'a> Local<'a> {
         features.map(|feature| self.numbers[feature.index()]).collect()
     }
 
+    /// Returns the numbers of the features that cover a face.
     pub(super) fn covering(&self, face: Option<FaceKey>) -> Vec<u32> {
         let features = face.and_then(|face| self.map.features_of(face).ok());
         features.map(|features| self.numbers(features)).unwrap_or_default()
@@ -119,6 +121,7 @@ impl<'a> Local<'a> {
         vertex.rotation().flat_map(|h| self.features_along(h.index())).collect()
     }
 
+    /// Returns the pairs of edges that meet other than at shared endpoints.
     pub(super) fn crossings(&self) -> Vec<Crossing> {
         if self.map.is_plane() {
             return Vec::new();

@@ -29,6 +29,7 @@ pub(super) enum Claim {
 }
 
 impl Claim {
+    /// Returns the claims on a face that these features cover, in order.
     pub(super) fn all(features: &[u32]) -> Vec<Self> {
         let overlap = (features.len() > 1).then(|| Self::Overlap(features.to_vec()));
         let unclaimed = features.is_empty().then_some(Self::Unclaimed);
@@ -45,6 +46,7 @@ impl Claim {
         }
     }
 
+    /// Returns true if a face that these features cover has this claim.
     fn is_of(&self, features: &[u32]) -> bool {
         match self {
             Self::Unclaimed => features.is_empty(),

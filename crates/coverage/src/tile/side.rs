@@ -17,6 +17,7 @@ pub enum Side {
 impl Side {
     pub(super) const ALL: [Self; 4] = [Self::Bottom, Self::Right, Self::Top, Self::Left];
 
+    /// Returns the side of the neighbour that lies along this one.
     pub(super) const fn opposite(self) -> Self {
         match self {
             Self::Bottom => Self::Top,

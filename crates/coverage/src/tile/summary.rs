@@ -379,6 +379,7 @@ impl Summary {
         self.totals.add(&Totals { faces: 1, unbounded_faces: u64::from(is_unbounded), ..Totals::NOTHING });
     }
 
+    /// Drops all data about faces, and sorts contacts without it.
     fn forget_faces(&mut self) {
         self.faces.clear();
         self.regions.clear();

@@ -18,6 +18,7 @@ fn mismatched(shapes: &[Shape]) -> (Vec<Finding>, Vec<Finding>) {
     (mismatches(&map, &builder.unmatched()).expect("it is plane"), others)
 }
 
+/// The missing vertices, with the feature that lacks each.
 fn lacked(found: &[Finding]) -> Vec<([f64; 2], usize)> {
     found.iter().flat_map(|one| &one.missing).map(|vertex| (vertex.at.into(), vertex.feature.index())).collect()
 }

@@ -21,6 +21,7 @@ pub(crate) fn whole(features: &[Feature]) -> PlanarMap {
     builder(features).build().expect("there is room")
 }
 
+/// The findings of the map whose edges are cut where they meet.
 pub(crate) fn whole_cut(features: &[Feature], limits: &Limits) -> Coverage {
     let builder = builder(features);
     let unmatched = builder.unmatched();

@@ -16,6 +16,7 @@ fn points(feature: &Feature) -> Vec<Point> {
     feature.shapes.iter().flat_map(of_shape).collect()
 }
 
+/// The features whose boxes meet a window, with their numbers.
 fn in_window(features: &[Feature], [low, high]: [Point; 2]) -> Vec<(u32, &Feature)> {
     let meets = |(_, feature): &(u32, &Feature)| {
         let points = points(feature);

@@ -30,6 +30,7 @@ impl Chains {
         self.all().flat_map(edges)
     }
 
+    /// Returns the vertices of all chains, chain after chain.
     pub(super) fn pool(&self) -> &[u32] {
         &self.pool
     }

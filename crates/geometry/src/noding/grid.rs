@@ -98,6 +98,7 @@ impl Cell {
     }
 }
 
+/// A grid of cells, and the finer grid on which the input is read.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Grid {
     cell: Cell,

@@ -103,6 +103,7 @@ impl<'a> Read<'a> {
         segments
     }
 
+    /// Returns the vertices where each segment starts and ends.
     pub(super) fn ends(&self) -> impl Iterator<Item = [u32; 2]> {
         self.ends.iter().map(|ends| ends.map(|site| self.vertex_of[site as usize]))
     }

@@ -104,6 +104,7 @@ struct Search<'a> {
     segment_pool: Vec<u32>,
     vertex_pool: Vec<u32>,
     filing: Filing,
+    /// The blocks around the segments of a leaf, kept to reuse memory.
     boxes: Vec<Block>,
 }
 
@@ -359,6 +360,7 @@ impl Search<'_> {
         Some(Instead::Cross(crossings))
     }
 
+    /// Returns the pixels in which pairs of segments cross.
     fn crossings(&self, pairs: &[[u32; 2]]) -> Vec<Pixel> {
         let segments = pairs.iter().map(|pair| pair.map(|id| &self.segments[id as usize]));
         segments.filter_map(|[s, t]| self.pixels.crossing(s, t)).collect()

@@ -12,6 +12,7 @@ fn apart(ends: impl Iterator<Item = [(f64, f64); 2]>) -> (Vec<Point>, Vec<[u32; 
     (points, segments)
 }
 
+/// A drawing with segments from point 0 to all others.
 fn star(tips: impl Iterator<Item = (f64, f64)>) -> (Vec<Point>, Vec<[u32; 2]>) {
     let points: Vec<Point> = core::iter::once((0.0, 0.0)).chain(tips).map(|(x, y)| Point::new(x, y)).collect();
     let segments = (1..points.len() as u32).map(|i| [i, 0]).collect();

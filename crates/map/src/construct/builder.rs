@@ -206,6 +206,7 @@ impl Builder {
         Ok(())
     }
 
+    /// Adds the segments of a ring, closes it, and checks it.
     fn ring(&mut self, ring: &[Point], at: Position) -> Result<(), BuildError> {
         let (Some(first), Some(last)) = (ring.first(), ring.last()) else {
             self.summary.degenerate_rings += 1;

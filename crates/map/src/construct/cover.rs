@@ -22,6 +22,7 @@ use crate::feature_sets::FeatureSets;
 use crate::feature_tries::SetId;
 use twinedge::dcel::Dcel;
 
+/// The parts that use each segment, in order, once for each use.
 struct Uses {
     first: Vec<usize>,
     parts: Vec<u32>,

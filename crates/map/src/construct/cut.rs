@@ -62,6 +62,7 @@ impl Pieces {
         self.starts.push(self.darts.len());
     }
 
+    /// Replaces the segments that features use by their pieces.
     fn follow(&self, features: &mut GatheredFeatures) {
         features.replace(|out, dart| {
             let segment = (dart >> 1) as usize;

@@ -27,6 +27,7 @@ impl GatheredFeatures {
         self.parts.push(Part { feature: self.names.len() as u32, is_polygon, end: self.darts.len() });
     }
 
+    /// Returns the parts with their darts, in order of the features.
     pub(super) fn all(&self) -> impl Iterator<Item = (Part, &[Dart])> {
         let mut start = 0;
         self.parts.iter().map(move |part| {
@@ -41,6 +42,7 @@ impl GatheredFeatures {
         self.all().filter(|(part, _)| part.is_polygon).map(|(part, darts)| (part.feature, darts))
     }
 
+    /// Replaces each dart by the darts that `by` appends for it.
     pub(super) fn replace(&mut self, mut by: impl FnMut(&mut Vec<Dart>, Dart)) {
         let darts = core::mem::take(&mut self.darts);
         self.darts.reserve_exact(darts.len());

@@ -116,6 +116,7 @@ impl Builder {
         found
     }
 
+    /// Returns the ends of a segment, the end with the smaller coordinates first.
     fn ends(&self, segment: u32) -> [Point; 2] {
         let mut ends = self.segments[segment as usize].map(|point| self.points[point as usize]);
         ends.sort_by(|a, b| compare_lexicographic(*a, *b));

@@ -120,6 +120,7 @@ struct Sides {
     edge: HalfEdgeKey,
 }
 
+/// A map without attributes, while the diff is drawn on it.
 pub(super) struct Drawing<'a> {
     pub(super) map: &'a mut PlanarMap,
     pub(super) index: Index,
@@ -232,6 +233,7 @@ impl<'a> Drawing<'a> {
         Ok(key)
     }
 
+    /// Erases an edge. Returns its half-edges and its features.
     fn erase(&mut self, a: u128, b: u128) -> Result<(Sides, SetId), ApplyError> {
         let key = self.index.edges.remove(&(a, b)).ok_or(ApplyError::AnotherMap(Record::Edge(a, b)))?;
         let h = self.map.dcel.half_edge(key)?;

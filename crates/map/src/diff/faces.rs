@@ -91,6 +91,7 @@ impl Diff {
 }
 
 impl Drawing<'_> {
+    /// Finds the face of each id and moves the features of the id to it.
     pub(super) fn name_faces(&mut self, diff: &Diff, contents: &Contents) -> Result<(), ApplyError> {
         let unbounded = self.map.dcel.unbounded_face();
         let mut sets = vec![(unbounded.index(), self.unbounded)];
@@ -207,6 +208,7 @@ impl Open {
         }
     }
 
+    /// Returns the ids reachable from this id through shared faces.
     fn ring(&self, id: u128) -> BTreeSet<u128> {
         let (mut reached, mut ahead) = (BTreeSet::from([id]), vec![id]);
         while let Some(id) = ahead.pop() {

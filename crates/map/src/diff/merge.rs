@@ -109,6 +109,7 @@ impl Diff {
     }
 }
 
+/// The lines that one side draws through its new vertices.
 struct Ways {
     /// For each vertex where such a line ends, the connected group of lines and its first edge.
     ends: BTreeMap<u128, BTreeMap<usize, Record>>,
@@ -147,6 +148,7 @@ impl Ways {
         Self { ends }
     }
 
+    /// Returns the first edge of a line between two vertices.
     fn first_edge(&self, a: u128, b: u128) -> Option<Record> {
         let (from, to) = (self.ends.get(&a)?, self.ends.get(&b)?);
         from.iter().find(|(piece, _)| to.contains_key(piece)).map(|(_, edge)| *edge)

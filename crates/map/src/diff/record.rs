@@ -101,6 +101,7 @@ impl Change {
         })
     }
 
+    /// Returns the records that must exist for a change to a record.
     pub(super) fn needs(&self, record: Record) -> Vec<Record> {
         match (self, record) {
             (Self::Drawn, Record::Edge(a, b)) => vec![Record::Vertex(a), Record::Vertex(b)],

@@ -108,6 +108,7 @@ impl Columns {
         self.points[self.origin(h)]
     }
 
+    /// Returns the coordinates of the target of a half-edge.
     pub(crate) fn head(&self, h: usize) -> Point {
         self.points[self.target(h)]
     }

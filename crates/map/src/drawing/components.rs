@@ -8,6 +8,7 @@ use twinedge_geometry::predicates::compare_lexicographic;
 
 pub(crate) struct Components {
     pub(crate) of: Vec<u32>,
+    /// For each component, its lexicographically smallest vertex.
     pub(crate) lowest: Vec<u32>,
     /// For each component, its lexicographically smallest bend if that is smaller than all vertices, otherwise `NIL`.
     pub(crate) lowest_bend: Vec<u32>,

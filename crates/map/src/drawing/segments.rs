@@ -164,6 +164,7 @@ enum Spot {
     Bend(usize, usize),
 }
 
+/// Returns true if the second point is lexicographically larger.
 fn rises(from: Point, to: Point) -> bool {
     compare_lexicographic(from, to) == Ordering::Less
 }

@@ -239,6 +239,7 @@ fn ends<'a>(h: &HalfEdge<'a>) -> [Vertex<'a>; 2] {
     [h.origin(), h.target()]
 }
 
+/// Returns the point where a line crosses a segment, rounded.
 fn crossing([from, through]: [Point; 2], [tail, head]: [Point; 2]) -> Point {
     let (d, e) = ([through.x - from.x, through.y - from.y], [head.x - tail.x, head.y - tail.y]);
     let part = ((from.x - tail.x) * d[1] - (from.y - tail.y) * d[0]) / (e[0] * d[1] - e[1] * d[0]);

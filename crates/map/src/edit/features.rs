@@ -165,6 +165,7 @@ impl PlanarMap {
         Ok(set)
     }
 
+    /// Returns the feature, unless it is not a feature of the map or was removed.
     pub(crate) fn present(&self, feature: FeatureId) -> Result<FeatureId, EditError> {
         let is_present = feature.index() < self.names.len() && !self.features.removed.contains(&feature);
         is_present.then_some(feature).ok_or(EditError::NoSuchFeature(feature))

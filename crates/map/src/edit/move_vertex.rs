@@ -109,6 +109,7 @@ impl PlanarMap {
     }
 }
 
+/// Returns true if a point lies in a closed triangle, possibly flat.
 pub(super) fn in_triangle(p: Point, [a, b, c]: [Point; 3]) -> bool {
     let turns = [orientation(a, b, p), orientation(b, c, p), orientation(c, a, p)];
     let turn = |t: Orientation| turns.contains(&t);

@@ -12,6 +12,7 @@ use twinedge::dcel::{
 use twinedge_geometry::Point;
 
 impl PlanarMap {
+    /// Adds an isolated vertex at a point in the interior of a face.
     pub(super) fn add_isolated(&mut self, p: Point, face: FaceKey) -> Result<VertexKey, OperatorError> {
         let key = self.dcel.add_isolated_vertex(face)?.vertex;
         self.set_point(self.dcel.vertex(key)?.index(), p);
@@ -45,6 +46,7 @@ impl PlanarMap {
         Ok(made)
     }
 
+    /// Draws an edge between two corners that see each other.
     pub(super) fn connect(&mut self, from: Corner, to: Corner, split: Split<'_>) -> Result<Connected, OperatorError> {
         let connected = self.dcel.connect(from, to, split)?;
         self.measure_connected(connected)?;
@@ -118,6 +120,7 @@ impl PlanarMap {
         self.features.put_face(face, set);
     }
 
+    /// Sets the features along an edge, by the index of either half-edge.
     pub(crate) fn cover_edge(&mut self, half_edge: usize, set: SetId) {
         self.notes.write(|| MapEntry::Along(half_edge as u32, self.features.along(half_edge)));
         self.features.put_along(half_edge, set);

@@ -31,6 +31,7 @@ impl PlanarMap {
         }
     }
 
+    /// Returns the location of the point. [`At`] states the cost.
     pub(super) fn place_of(&self, at: At) -> Result<Located, EditError> {
         match at {
             At::Point(_) => self.place(self.point_of(at)?, None),

@@ -17,6 +17,7 @@ struct Border {
     users: usize,
 }
 
+/// The features that cover each face, as far as they are known.
 #[derive(Default)]
 struct KnownCovers {
     sets: FxHashMap<FaceKey, SetId>,

@@ -33,6 +33,7 @@ pub(crate) enum Towards<'a> {
 }
 
 impl<'a> Towards<'a> {
+    /// Returns the half-edge, or the half-edge of the corner.
     pub(super) const fn corner(self) -> Option<HalfEdge<'a>> {
         match self {
             Self::Along(h) | Self::Corner(h) => Some(h),
@@ -188,6 +189,7 @@ impl PlanarMap {
     }
 }
 
+/// The part of the way of a segment that has been scanned.
 #[derive(Default)]
 struct Way<'a> {
     faces: FxHashMap<FaceKey, Obstacles<'a>>,

@@ -35,6 +35,7 @@ pub(super) struct RecordIndex {
     hubs: FxHashMap<u32, Hub>,
 }
 
+/// An edge as stored in the index, used to remove it after it has changed.
 #[derive(Clone, Copy)]
 pub(super) struct IndexedEdge {
     boxed: BoxedRecord,
@@ -76,6 +77,7 @@ impl RecordIndex {
         self.tree.insert(BoxedRecord::vertex(v, points));
     }
 
+    /// Removes an isolated vertex, given its index and its point.
     pub(super) fn remove_vertex(&mut self, vertex: usize, p: Point) {
         self.tree.remove(&BoxedRecord { record: TreeRecord::Vertex(vertex as u32), ends: [p; 2] });
     }
@@ -121,6 +123,7 @@ impl RecordIndex {
         self.hubs.get(&(v.index() as u32))?.towards(p)
     }
 
+    /// Returns the index of the hub at a point, if there is one. O(hubs).
     pub(super) fn hub_at(&self, p: Point) -> Option<usize> {
         self.hubs.iter().find(|(_, hub)| hub.centre == p).map(|(v, _)| *v as usize)
     }
@@ -139,6 +142,7 @@ impl RecordIndex {
         self.trees(but_hubs_at).flat_map(move |tree| tree.select(selection.clone()))
     }
 
+    /// Returns the records whose boxes meet the box between two corners.
     pub(super) fn in_box(&self, low: Point, high: Point) -> impl Iterator<Item = &BoxedRecord> {
         self.trees([None; 2]).flat_map(move |tree| tree.in_box(low, high))
     }

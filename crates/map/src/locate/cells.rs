@@ -166,6 +166,7 @@ impl Cells {
         }
     }
 
+    /// Returns the index of the cell that contains a point.
     #[inline]
     fn place(&self, p: Point) -> usize {
         self.rows.piece(p.y) * self.columns.pieces + self.columns.piece(p.x)

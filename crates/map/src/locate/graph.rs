@@ -172,6 +172,7 @@ impl Graph {
         &self.points
     }
 
+    /// Returns the segments, each from its lower end to its higher.
     pub(super) fn segments(&self) -> &[[Point; 2]] {
         &self.segments
     }

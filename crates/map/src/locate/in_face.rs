@@ -18,6 +18,7 @@ pub(crate) fn locate_in_face(map: &PlanarMap, face: Face<'_>, p: Point) -> Optio
     scan.on.or_else(|| is_inside().then(|| Located::Face(face.key())))
 }
 
+/// A scan of edges and isolated vertices around a point, in progress.
 struct BoundaryScan<'a> {
     map: &'a PlanarMap,
     p: Point,

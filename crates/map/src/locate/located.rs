@@ -38,6 +38,7 @@ pub enum LocateError {
     Stale(#[from] StaleKey),
 }
 
+/// Refuses a point beyond the range of exact arithmetic.
 pub(crate) fn check_range(p: Point) -> Result<(), LocateError> {
     if in_range(p) { Ok(()) } else { Err(LocateError::OutOfRange(p)) }
 }

@@ -81,6 +81,7 @@ impl Chain {
         SummedChain(RTree::bulk_load(self.segments))
     }
 
+    /// Merges equal segments and drops those with weight 0.
     fn cancel(&mut self) {
         self.segments.sort_by(|a, b| compare_lexicographic(a.low, b.low).then(compare_lexicographic(a.high, b.high)));
         self.segments.dedup_by(|next, sum| {
@@ -93,6 +94,7 @@ impl Chain {
         self.segments.retain(|segment| segment.weight != 0);
     }
 
+    /// Joins collinear segments, for example of a split edge.
     fn straighten(&mut self) {
         let ends = self.segments.iter().enumerate().map(|(i, segment)| (segment.high.hash_key(), i));
         let ends: FxHashMap<(u64, u64), usize> = ends.collect();
@@ -114,6 +116,7 @@ impl Chain {
 pub(super) struct SummedChain(RTree<WeightedSegment>);
 
 impl SummedChain {
+    /// Returns the bounding box, unless everything cancels out.
     pub(super) fn envelope(&self) -> Option<AABB<[f64; 2]>> {
         (self.0.size() > 0).then(|| self.0.root().envelope())
     }

@@ -103,6 +103,7 @@ impl<'a> Drawing<'a> {
         Some(self.row(time, h)).filter(Row::is_live).map(|row| row.twin as usize)
     }
 
+    /// Returns the next half-edge clockwise in the rotation.
     pub(super) fn clockwise(&self, time: Time, h: usize) -> Option<usize> {
         self.twin(time, h).map(|twin| self.row(time, twin).next as usize)
     }
@@ -114,6 +115,7 @@ impl<'a> Drawing<'a> {
         Some(Line { vertices, points })
     }
 
+    /// Returns the ends of a half-edge, if they are unchanged.
     pub(super) fn kept(&self, h: usize) -> Option<[Point; 2]> {
         let [before, after] = TIMES.map(|time| self.line(time, h).map(|line| line.points));
         before.filter(|_| before == after)
@@ -159,6 +161,7 @@ impl<'a> Drawing<'a> {
         Some(Drawn::vertex(v, place))
     }
 
+    /// Returns the point where an inner boundary component starts.
     fn start(&self, time: Time, b: usize) -> Option<InnerStart> {
         let label = self.label(time, b);
         label.inner()?;

@@ -37,6 +37,7 @@ impl Drawn {
         Self { thing: Thing::Vertex(v as u32), vertices: [v as u32; 2], ends: [at; 2] }
     }
 
+    /// Returns the ends, the lexicographically smaller one first.
     pub(super) fn rising(&self) -> [Point; 2] {
         let [a, b] = self.ends;
         if compare_lexicographic(a, b).is_gt() { [b, a] } else { [a, b] }

@@ -48,6 +48,7 @@ impl Moves {
     }
 }
 
+/// Returns the number of boundary components that a face had before.
 fn count(drawing: &Drawing<'_>, f: usize) -> usize {
     let face = drawing.face(Time::Before, f);
     face.inner as usize + usize::from(face.is_live() && face.outer != NIL)

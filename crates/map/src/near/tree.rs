@@ -39,10 +39,12 @@ impl DrawnTrees {
         exchange(&mut self.starts, &starts.come, &starts.gone);
     }
 
+    /// Returns all entries whose boxes meet the box of another entry.
     pub(super) fn beside(&self, drawn: &Drawn) -> impl Iterator<Item = &Drawn> {
         self.drawn.locate_in_envelope_intersecting(drawn.envelope()).inspect(|_| count_step())
     }
 
+    /// Returns the inner boundary components that start in a closed box.
     pub(super) fn starts_in(&self, envelope: AABB<[f64; 2]>) -> impl Iterator<Item = usize> {
         let all = self.starts.locate_in_envelope(envelope);
         all.inspect(|_| count_step()).map(|start| start.data as usize)

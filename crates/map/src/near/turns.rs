@@ -6,6 +6,7 @@ use twinedge::validate::near::changes::{Row, Time};
 use twinedge_geometry::Point;
 use twinedge_geometry::predicates::{Orientation, orientation};
 
+/// The two times, with the signs of their terms in the change of a sum.
 const SIGNS: [(Time, i64); 2] = [(Time::Before, -1), (Time::After, 1)];
 
 impl Drawing<'_> {

@@ -414,6 +414,7 @@ impl<K: Key> Keys<K> {
         self.all.iter().copied().filter(|key| self.places.contains_key(*key)).collect()
     }
 
+    /// Returns the `k`-th live key, modulo their number. O(log all).
     pub(super) fn nth(&self, k: u32) -> Option<K> {
         let mut left = (k as usize).checked_rem(self.len())?;
         let (mut before, mut step) = (0, self.all.len().checked_ilog2().map_or(0, |log| 1 << log));
@@ -427,6 +428,7 @@ impl<K: Key> Keys<K> {
         self.all.get(before).copied()
     }
 
+    /// Returns the other key of a pair that was added together.
     pub(super) fn beside(&self, key: K) -> Option<K> {
         self.all.get(self.places.get(key)? ^ 1).copied()
     }

@@ -49,6 +49,7 @@ struct Selection {
     from: Point,
     direction: [f64; 2],
     around: AABB<[f64; 2]>,
+    /// True if the line rises to the right, or falls to the left.
     rises: bool,
 }
 

@@ -10,6 +10,7 @@ pub(super) struct Progress {
     pub(super) at: TextPlace,
     /// True if only white space has been read.
     pub(super) blank: bool,
+    /// True if the text has ended or the reader has failed.
     pub(super) stopped: bool,
 }
 

@@ -399,6 +399,7 @@ impl FeatureShapes {
     }
 }
 
+/// The parts of a document that this module handles itself.
 #[derive(Clone, Copy)]
 enum DocumentPart {
     Document,

@@ -63,6 +63,7 @@ impl Further {
         }
     }
 
+    /// Returns the positions of a closed ring. O(points), expected.
     pub(super) fn line(&self, ring: &[Point]) -> Line {
         let known = |p: &Point| {
             let key = key(p.x, p.y);

@@ -72,6 +72,7 @@ impl GapsTo {
     }
 }
 
+/// Returns true if a feature contains polygons or nothing.
 fn can_receive(feature: &Feature) -> bool {
     feature.geometry.as_ref().is_none_or(|geometry| {
         matches!(geometry.shape, Shape::Polygon(_) | Shape::MultiPolygon(_)) || geometry.shape.is_empty()

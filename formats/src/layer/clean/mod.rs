@@ -313,6 +313,7 @@ fn build(
     }
 }
 
+/// Returns a builder with all polygons followed by the fillers.
 fn gather(features: &[Cow<'_, Feature>], fillers: &[twinedge_map::Shape]) -> Result<Builder, CleanError> {
     let mut builder = Builder::new();
     let mut any = false;

@@ -185,6 +185,7 @@ fn bounds<'a>(geometries: impl Iterator<Item = &'a Geometry>) -> Option<serde_js
     bounds.json()
 }
 
+/// Updates the member `bbox` of a feature, if it has one.
 pub(super) fn update_box(feature: &mut Feature) {
     update_member(&mut feature.members, bounds(feature.geometry.iter()));
 }
@@ -198,6 +199,7 @@ fn update_member(members: &mut Members, bounds: Option<serde_json::Value>) {
     }
 }
 
+/// Updates the member `bbox` of a layer, if it has one.
 pub(super) fn update_box_of_layer(layer: &mut Layer) {
     let bounds = bounds(layer.features.iter().filter_map(|feature| feature.geometry.as_ref()));
     if let (Some(member), Some(bounds)) = (layer.header.members.get_mut("bbox"), bounds) {

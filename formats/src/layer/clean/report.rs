@@ -60,6 +60,7 @@ impl CleanReport {
         all
     }
 
+    /// Adds the changes in the report of another part of the layer.
     pub(super) fn append(&mut self, other: Self) {
         self.changes.extend(other.changes);
         self.added.extend(other.added);
@@ -197,6 +198,7 @@ pub struct Remaining {
 }
 
 impl Remaining {
+    /// Makes a finding of C6 from the first defect of a feature.
     pub(super) fn invalid(feature: usize, defect: &Defect) -> Self {
         Self { rule: CoverageRule::Validity, features: vec![feature], area: 0.0, width: 0.0, at: defect.at }
     }

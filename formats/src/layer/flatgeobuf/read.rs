@@ -65,6 +65,7 @@ pub(in crate::layer) fn read(reader: &mut dyn Read, each: &mut Each<'_>) -> Resu
     Ok(of_header(&header, fields))
 }
 
+/// Reads the table of the header, with the length before it.
 pub(super) fn header_bytes(reader: &mut dyn Read) -> Result<Vec<u8>, ReadError> {
     let in_header = |cause| content(Place::Header, cause);
     let mut magic = [0; 8];
@@ -171,6 +172,7 @@ fn feature(header: &HeaderTable<'_>, body: &[u8], number: u64, fields: &[Field])
     })
 }
 
+/// Returns the geometry of a feature, without its attributes.
 pub(super) fn geometry_of(header: &HeaderTable<'_>, body: &[u8]) -> Result<Option<Geometry>, Cause> {
     geometry(header, feature_table(body)?)
 }

@@ -152,6 +152,7 @@ fn crs(database: &Connection, srs: i64) -> Result<Option<Crs>, ReadError> {
     }))
 }
 
+/// Reads a geometry: the header, and then well-known binary.
 pub(super) fn parse(bytes: &[u8]) -> Result<Geometry, Cause> {
     const EXTENDED: u8 = 1 << 5;
     let rest = bytes.strip_prefix(&MAGIC).ok_or_else(|| Cause::Invalid("the geometry has no header".to_owned()))?;

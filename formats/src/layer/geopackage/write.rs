@@ -164,6 +164,7 @@ fn geometries(layer: &Layer) -> impl Iterator<Item = &Geometry> {
 /// The kind that allows all geometries.
 const ANY: &str = "GEOMETRY";
 
+/// Returns the common kind of the geometries, or [`ANY`].
 fn geometry_kind(layer: &Layer) -> String {
     let mut kinds = geometries(layer).map(|geometry| geometry.shape.name());
     let first = kinds.next();
@@ -199,6 +200,7 @@ fn extent(layer: &Layer) -> Option<[f64; 4]> {
     extent
 }
 
+/// Returns a geometry after its header, without an envelope.
 fn blob(geometry: &Geometry, srs: i64) -> Vec<u8> {
     const LITTLE: u8 = 1;
     const EMPTY: u8 = 1 << 4;

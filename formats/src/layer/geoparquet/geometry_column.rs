@@ -79,6 +79,7 @@ impl GeometryColumn {
         Some(Self { name, covering: None, crs, edges, has_only_points: false })
     }
 
+    /// Returns everything in the file except features and columns.
     pub(super) fn header(&self) -> Header {
         let edges = self.edges.as_ref().map(|edges| (EDGES.to_owned(), edges.as_str().into()));
         Header { crs: self.crs.clone(), members: edges.into_iter().collect(), ..Header::default() }

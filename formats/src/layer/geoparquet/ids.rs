@@ -47,6 +47,7 @@ pub(super) fn named(metadata: impl Fn(&str) -> Option<String>) -> Option<String>
     metadata(TEXTS).or_else(of_gdal).filter(|name| !name.is_empty())
 }
 
+/// Converts a value to an id; `None` for null and for other types.
 pub(super) fn of_value(value: Value) -> Option<Id> {
     match value {
         Value::Integer(number) => Some(Id::Number(number.into())),

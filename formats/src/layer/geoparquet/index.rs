@@ -67,10 +67,12 @@ impl IndexedFile {
         Ok(Some(Self { reader, column, groups, length, read: 0 }))
     }
 
+    /// Returns everything in the file except features and columns.
     pub(in crate::layer) fn header(&self) -> Header {
         self.column.header()
     }
 
+    /// Returns true if the file declares that all geometries are points.
     pub(in crate::layer) const fn has_only_points(&self) -> bool {
         self.column.has_only_points
     }
@@ -91,6 +93,7 @@ impl IndexedFile {
         self.groups.iter().map(|group| group.rows).sum()
     }
 
+    /// Returns the numbers of column bytes read and in total.
     pub(in crate::layer) const fn bytes(&self) -> [u64; 2] {
         [self.read, self.length]
     }

@@ -12,6 +12,7 @@ pub(super) fn day(days: i64) -> Option<String> {
     Some(moment.format(DAY).to_string()).filter(|text| is_usual(text))
 }
 
+/// Returns the number of a day in the notation of [`day`].
 pub(super) fn days(text: &str) -> Option<i32> {
     let date = NaiveDate::parse_from_str(text, DAY).ok()?;
     let days = date.signed_duration_since(NaiveDate::default()).num_days();

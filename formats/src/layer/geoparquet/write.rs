@@ -64,6 +64,7 @@ fn fits(kind: FieldKind, value: &Value) -> bool {
     }
 }
 
+/// Returns the microseconds of a moment, and whether it is in UTC.
 fn moment_of(value: &Value) -> Option<(i64, bool)> {
     match value {
         Value::DateTime(text) => moment::microseconds(text),

@@ -55,6 +55,7 @@ pub fn read(path: &Path, filter: &TagFilter, limit: usize) -> Result<Boundaries,
 struct Making<'a> {
     elements: &'a Elements,
     findings: Findings,
+    /// The relations on each side of a way: true for the left one.
     sides: BTreeMap<(i64, bool), Vec<usize>>,
 }
 

@@ -12,6 +12,7 @@ const TEXT: usize = 254;
 /// The bytes of a decimal number, and its digits after the point.
 const REAL: (usize, usize) = (24, 15);
 
+/// The kind of geometry of a file, without dimensions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Base {
     Point,
@@ -195,6 +196,7 @@ fn digits_of_date(value: &Value) -> Option<String> {
     is_date.then_some(digits)
 }
 
+/// Returns the text of a value in its column, at most as wide as the column.
 pub(super) fn text(column: &Column, value: &Value) -> String {
     let width = usize::from(column.width);
     match (column.kind, value) {

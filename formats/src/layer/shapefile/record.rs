@@ -125,6 +125,7 @@ pub(super) fn parse(record: &[u8]) -> Result<Option<Geometry>, Cause> {
     Ok(Some(Geometry::new(dimensions, shape)))
 }
 
+/// Splits a list of positions at the starts of its parts.
 fn split(mut positions: Vec<Position>, starts: &[usize]) -> Result<Vec<Line>, Cause> {
     let mut lines = Vec::with_capacity(starts.len());
     for start in starts.iter().rev() {

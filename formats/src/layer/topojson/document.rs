@@ -43,6 +43,7 @@ pub(super) fn content(place: Place, cause: Cause) -> ReadError {
     ReadError::Content { format: Format::TopoJson, place, cause }
 }
 
+/// Returns an error if a coordinate is too large for a 64-bit number.
 pub(super) fn check_finite(at: &Position) -> Result<(), Cause> {
     if at.x.is_finite() && at.y.is_finite() {
         return Ok(());

@@ -159,6 +159,7 @@ impl<'a> Reading<'a> {
         Ok(position)
     }
 
+    /// Returns a line of arcs; each arc begins at the end of the one before it.
     fn line(&mut self, indices: &Json) -> Result<Line, Cause> {
         let mut line = Line::new();
         for (place, index) in indices.as_array().ok_or_else(no_list)?.iter().enumerate() {

@@ -229,6 +229,7 @@ impl Reading {
         Ok(())
     }
 
+    /// Assigns a polygon to the left side of a half-edge (A2).
     fn side(&mut self, half_edge: usize, face: u32, is_outer: bool) {
         let topology = &mut self.topology;
         let there = topology.label[half_edge];
@@ -287,6 +288,7 @@ impl Reading {
 }
 
 impl ArcTopology {
+    /// Adds the positions between the ends of an arc with length.
     fn add_bends(&mut self, arc: &Line) {
         let mut points = arc.iter().map(|p| Point::new(p.x, p.y));
         let Some(mut before) = points.next() else { return };

@@ -54,6 +54,7 @@ impl ArcTopology {
         found.unwrap_or_else(|| record.index().to_string())
     }
 
+    /// Returns the first point after the origin of a half-edge.
     fn towards(&self, half_edge: usize) -> Point {
         if self.bends(half_edge) > 0 {
             return self.bend(half_edge, 0);

@@ -96,6 +96,7 @@ pub enum Cause {
     TooLarge,
 }
 
+/// An error of a reader that does not know which format it reads.
 #[derive(Debug)]
 pub(super) struct Failure {
     pub(super) position: Position,

@@ -52,6 +52,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<(IndexedMesh, Vec<Dropped>), Failure>
     Ok((mesh.finish()?, drops.into_list()))
 }
 
+/// Returns the header, and the byte and the line after it.
 fn header(bytes: &[u8]) -> Result<(Header, usize, u64), Failure> {
     let mut reader = Reader::new(bytes);
     let header = Parser::<DefaultElement>::new().read_header(&mut reader).map_err(|error| {

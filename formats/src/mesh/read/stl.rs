@@ -31,6 +31,7 @@ pub(super) fn is_named_solid(bytes: &[u8]) -> bool {
     Text::new(bytes).any_word().is_some_and(|word| word.eq_ignore_ascii_case(b"solid"))
 }
 
+/// Returns the length of a binary file according to its own count.
 pub(super) fn expected_length(bytes: &[u8]) -> Option<u64> {
     let count = bytes.get(HEADER - 4..HEADER)?.try_into().ok()?;
     Some(HEADER as u64 + TRIANGLE as u64 * u64::from(u32::from_le_bytes(count)))

@@ -90,6 +90,7 @@ impl<'a> Text<'a> {
         self.step_over_line_end()
     }
 
+    /// Returns the number of words that are left on this line.
     pub(super) fn skip_words(&mut self) -> usize {
         std::iter::from_fn(|| self.word()).count()
     }
@@ -109,6 +110,7 @@ impl<'a> Text<'a> {
         true
     }
 
+    /// Returns true if the line ends right after the backslash here.
     fn continues(&self) -> bool {
         matches!(self.bytes.get(self.at + 1), Some(b'\n' | b'\r'))
     }

@@ -17,6 +17,7 @@ pub(super) struct Content {
 /// Nothing, with a block that is no larger than any other.
 const EMPTY: Content = Content { segments: 0, vertices: 0, around: Block { low: [i64::MAX; 2], high: [i64::MIN; 2] } };
 
+/// The contents of each part. The memory is reused from block to block.
 #[derive(Default)]
 pub(super) struct Filing {
     contents: Vec<Content>,

@@ -12,6 +12,7 @@ fn longer(block: &Block) -> usize {
     usize::from(block.high[1] - block.low[1] > block.high[0] - block.low[0])
 }
 
+/// Halves a block across its longer side. Returns the halves and the axis.
 pub(super) fn halves(block: &Block) -> ([Block; 2], usize) {
     let axis = longer(block);
     let mut halves = [*block; 2];
