@@ -541,7 +541,6 @@ impl RawPointers {
         Ok(())
     }
 
-    /// Returns the starts of the inner boundary components of a face.
     fn inner_starts(&self, face: usize) -> Vec<Start> {
         let (mut starts, mut seen) = (Vec::new(), BTreeSet::new());
         for h in self.half_edges.all().filter(|h| h.face().number == face && !h.is_outer()) {

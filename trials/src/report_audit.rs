@@ -33,7 +33,6 @@ pub struct ReportAudit {
     dropped: Vec<BoundaryKey>,
 }
 
-/// Returns the boundary component on which a corner lies.
 fn boundary_of(dcel: &Dcel, corner: Corner) -> Result<Boundary<'_>, OperatorError> {
     match corner {
         Corner::At(h) => Ok(dcel.half_edge(h)?.boundary()),

@@ -124,7 +124,6 @@ impl Rings<'_> {
         meets.collect()
     }
 
-    /// Returns the contact of two segments, and its location.
     fn contact(&self, (r, i): (usize, usize), (q, j): (usize, usize)) -> Option<(Contact, Point)> {
         let (one, other) = (&self.all[r], &self.all[q]);
         let ([a, b], [c, d]) = (one.segment(i), other.segment(j));

@@ -323,7 +323,6 @@ impl<'a> Line<'a> {
         (below, last, node)
     }
 
-    /// Replaces a strand that ends by a segment that starts.
     fn replace(&mut self, node: u32, at: Point, start: usize) {
         self.status.replace(node, self.strand(at, start));
         self.arriving[self.starts[start].end as usize] = node;

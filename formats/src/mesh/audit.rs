@@ -159,7 +159,6 @@ impl MeshAudit {
         self.edges_not_joined() + self.findings.count(Kind::NonManifoldVertex)
     }
 
-    /// Returns the number of edges with several faces that are not joined there.
     fn edges_not_joined(&self) -> usize {
         self.findings.count(Kind::NonManifoldEdge) + self.findings.count(Kind::FlippedFaces)
     }

@@ -183,7 +183,6 @@ impl<'a> HalfEdgeMesh<'a> {
         }
     }
 
-    /// Finds unused vertices, and those where several fans meet.
     fn check_vertices(&self, degrees: &[u32], findings: &mut Findings) {
         let mut suspects = Vec::new();
         for (vertex, degree) in degrees.iter().enumerate() {

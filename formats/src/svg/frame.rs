@@ -41,7 +41,6 @@ impl Frame {
         [0, 1].map(|i| from[i] * self.scale + (self.size[i] - sides[i] * self.scale) / 2.0)
     }
 
-    /// Returns true if the box around these points meets the panel.
     pub(super) fn shows(&self, points: impl IntoIterator<Item = Point>) -> bool {
         Bounds::around(points).meets(&self.bounds)
     }

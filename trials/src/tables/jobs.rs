@@ -98,7 +98,6 @@ fn blank(vertices: usize, half_edges: usize, boundaries: usize, lists: &[usize])
     }
 }
 
-/// Returns a table of half-edges alone, with these twins.
 fn with_twins(twins: &[usize]) -> Table {
     let mut table = blank(0, twins.len(), 0, &[]);
     for (h, twin) in twins.iter().enumerate() {

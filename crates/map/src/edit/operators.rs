@@ -12,7 +12,6 @@ use twinedge::dcel::{
 use twinedge_geometry::Point;
 
 impl PlanarMap {
-    /// Adds an isolated vertex at a point in the interior of a face.
     pub(super) fn add_isolated(&mut self, p: Point, face: FaceKey) -> Result<VertexKey, OperatorError> {
         let key = self.dcel.add_isolated_vertex(face)?.vertex;
         self.set_point(self.dcel.vertex(key)?.index(), p);

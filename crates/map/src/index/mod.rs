@@ -77,7 +77,6 @@ impl RecordIndex {
         self.tree.insert(BoxedRecord::vertex(v, points));
     }
 
-    /// Removes an isolated vertex, given its index and its point.
     pub(super) fn remove_vertex(&mut self, vertex: usize, p: Point) {
         self.tree.remove(&BoxedRecord { record: TreeRecord::Vertex(vertex as u32), ends: [p; 2] });
     }
@@ -142,7 +141,6 @@ impl RecordIndex {
         self.trees(but_hubs_at).flat_map(move |tree| tree.select(selection.clone()))
     }
 
-    /// Returns the records whose boxes meet the box between two corners.
     pub(super) fn in_box(&self, low: Point, high: Point) -> impl Iterator<Item = &BoxedRecord> {
         self.trees([None; 2]).flat_map(move |tree| tree.in_box(low, high))
     }

@@ -31,7 +31,6 @@ fn either_half(map: &PlanarMap, found: Result<Located, LocateError>) -> Result<L
     found.map(|located| if let Located::Edge(h) = located { Located::Edge(smaller(h)) } else { located })
 }
 
-/// Checks that the kept index has all records and agrees with scans.
 fn check(map: &PlanarMap) -> Result<(), String> {
     let fresh = RecordIndex::new(map.dcel(), &map.points);
     if records(map.index()) != records(&fresh) {

@@ -103,7 +103,6 @@ impl<'a> Drawing<'a> {
         Some(self.row(time, h)).filter(Row::is_live).map(|row| row.twin as usize)
     }
 
-    /// Returns the next half-edge clockwise in the rotation.
     pub(super) fn clockwise(&self, time: Time, h: usize) -> Option<usize> {
         self.twin(time, h).map(|twin| self.row(time, twin).next as usize)
     }

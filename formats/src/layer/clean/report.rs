@@ -60,7 +60,6 @@ impl CleanReport {
         all
     }
 
-    /// Adds the changes in the report of another part of the layer.
     pub(super) fn append(&mut self, other: Self) {
         self.changes.extend(other.changes);
         self.added.extend(other.added);

@@ -164,7 +164,6 @@ fn geometries(layer: &Layer) -> impl Iterator<Item = &Geometry> {
 /// The kind that allows all geometries.
 const ANY: &str = "GEOMETRY";
 
-/// Returns the common kind of the geometries, or [`ANY`].
 fn geometry_kind(layer: &Layer) -> String {
     let mut kinds = geometries(layer).map(|geometry| geometry.shape.name());
     let first = kinds.next();

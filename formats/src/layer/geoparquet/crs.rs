@@ -52,7 +52,6 @@ pub(in crate::layer) fn is_held(crs: &Crs) -> bool {
     !crs.is_other() || member(Some(crs)).is_some_and(|member| !member.is_null())
 }
 
-/// Returns the definition of a system with an EPSG number.
 fn of_code(crs: &Crs) -> Option<Json> {
     let (authority, code) = crs.code.as_ref()?;
     let text = authority.eq_ignore_ascii_case("EPSG").then(|| epsg::projjson(*code))??;

@@ -72,7 +72,6 @@ impl IndexedFile {
         self.column.header()
     }
 
-    /// Returns true if the file declares that all geometries are points.
     pub(in crate::layer) const fn has_only_points(&self) -> bool {
         self.column.has_only_points
     }
