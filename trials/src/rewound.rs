@@ -37,6 +37,7 @@ pub struct Rewound {
     /// The structure after each of the last changes, the latest last.
     copies: VecDeque<Dcel>,
     steps: u32,
+    /// The keys from failed changes.
     lost: VecDeque<(VertexKey, HalfEdgeKey, FaceKey)>,
 }
 

@@ -119,6 +119,7 @@ fn add_holes(columns: &mut Labels, vertices: usize) -> Result<(), LabelsError> {
     Ok(())
 }
 
+/// Sets the entry of this slot, if it exists.
 fn put(column: &mut [u32], slot: Link, number: usize) {
     if let Some(entry) = slot.and_then(|slot| column.get_mut(slot)) {
         *entry = number as u32;

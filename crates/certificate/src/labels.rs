@@ -246,6 +246,7 @@ fn places<V: View + ?Sized>(view: &V) -> Result<Vec<u32>, LabelsError> {
 
 /// Ranks of half-edges, cycle by cycle: each follows its predecessor on the cycle, or its twin, except the starting half-edges.
 pub(super) struct Ranks {
+    /// The rank of each half-edge, or nil.
     pub(super) rank: Vec<u32>,
     count: u32,
     /// Half-edges at which cycles will be entered.

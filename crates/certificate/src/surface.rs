@@ -171,6 +171,7 @@ impl<V: View + ?Sized, C: Columns> Surface<'_, V, C> {
         self.half_edge_ok(h, self.star(h), open, |test, passes| noted.note(test, h, passes).is_some());
     }
 
+    /// Returns the star, if no link of it is nil.
     #[inline(always)]
     fn whole_star(&self, h: usize) -> Option<Star> {
         let links = self.0.live_links(h)?;

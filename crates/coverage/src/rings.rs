@@ -41,7 +41,9 @@ impl Ring {
 /// A kind of contact between two rings, or between two parts of one ring.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Contact {
+    /// They cross or overlap.
     Crossing,
+    /// A ring visits a point twice.
     SelfTouch,
     /// Two rings share a point without crossing there.
     Touch,
@@ -51,7 +53,9 @@ pub(super) enum Contact {
 pub(super) struct Meet {
     pub(super) contact: Contact,
     pub(super) at: Point,
+    /// The two rings; equal if a ring meets itself.
     pub(super) rings: [usize; 2],
+    /// The segment of each ring that meets the other.
     pub(super) segments: [usize; 2],
 }
 

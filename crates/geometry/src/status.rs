@@ -16,6 +16,7 @@ pub(super) struct Strand {
     pub(super) companion: u32,
 }
 
+/// A place between two neighbours.
 #[derive(Clone, Copy)]
 pub(super) struct Gap {
     pub(super) below: u32,
@@ -32,6 +33,7 @@ pub(super) struct Gap {
 pub(super) struct Status {
     nodes: std::vec::Vec<Node>,
     root: u32,
+    /// Free nodes, chained through `above`.
     free: u32,
 }
 

@@ -81,6 +81,7 @@ impl Default for FeatureTries {
     }
 }
 
+/// Clears the bits of a number below `width`.
 const fn above(number: u32, width: u32) -> u32 {
     if width >= u32::BITS { 0 } else { number >> width << width }
 }
@@ -204,6 +205,7 @@ pub(super) struct Members<'a> {
     nodes: &'a [Node],
     /// The nodes after the current leaf, the next one last.
     rest: [SetId; DEPTH],
+    /// The number of entries of `rest` in use.
     left: usize,
     /// The upper bits of the features of the current leaf.
     prefix: u32,

@@ -30,9 +30,11 @@ struct SavedMap<D, C> {
     /// Each set of features in use, in ascending order.
     sets: Vec<Vec<u32>>,
     faces: Vec<usize>,
+    /// The set that runs along each edge.
     edges: Vec<usize>,
     summary: BuildSummary,
     noding: Option<NodingSummary>,
+    /// The removed features, in ascending order.
     #[serde(default)]
     removed: Vec<u32>,
     /// The certificate of the drawing, if it was saved.

@@ -24,6 +24,7 @@ pub fn middle(points: &[Position]) -> Option<Position> {
     (!points.is_empty()).then_some(sum)
 }
 
+/// Returns the approximate crossing of two segments.
 fn crossing([a, b]: [Position; 2], [c, d]: [Position; 2]) -> Option<Position> {
     let [u, v, w] = [(a, b), (c, d), (a, c)].map(|(p, q)| [q[0] - p[0], q[1] - p[1]]);
     let cross = |p: Position, q: Position| p[0] * q[1] - p[1] * q[0];

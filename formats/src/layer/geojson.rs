@@ -88,6 +88,7 @@ fn converted(ParsedGeometry { bbox, value, foreign_members }: ParsedGeometry) ->
     json::geometry(shape, members(bbox, foreign_members))
 }
 
+/// Returns the foreign members, with the box.
 fn members(bbox: Option<Vec<f64>>, foreign: Option<Members>) -> Members {
     let bbox = bbox.map(|bbox| ("bbox".to_owned(), bbox.into_iter().map(json_number).collect()));
     bbox.into_iter().chain(foreign.into_iter().flatten()).collect()

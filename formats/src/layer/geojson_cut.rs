@@ -53,6 +53,7 @@ pub(super) fn read_parts(
 /// The text of a collection, without the cut features.
 struct Cutter<'r, F> {
     reader: &'r mut dyn Read,
+    /// Takes a feature, and returns true to continue.
     take: F,
     chunk: Vec<u8>,
     at: usize,

@@ -30,6 +30,7 @@ struct Members<'a> {
     features: Option<Vec<&'a RawValue>>,
 }
 
+/// Deserializes a member, even if it is null.
 fn present<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<&'de RawValue>, D::Error> {
     <&RawValue>::deserialize(deserializer).map(Some)
 }

@@ -17,6 +17,7 @@ enum Lookup {
     Consecutive,
     /// The slot of each id from this one on; nil for an absent id.
     Dense(i64, Vec<u32>),
+    /// Slots in the order of their ids.
     Sorted(Vec<u32>),
 }
 

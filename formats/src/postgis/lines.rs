@@ -14,6 +14,7 @@ pub(super) struct Lines<'a> {
     topology: &'a Topology,
     /// The ends without node, which are vertices after the nodes, each with a half-edge that starts there.
     without_node: Vec<(Point, usize)>,
+    /// The vertices at both ends of each line.
     ends: Vec<[u32; 2]>,
     is_vertex: Vec<bool>,
     is_line: Vec<bool>,

@@ -7,6 +7,7 @@ use twinedge::validate::{Link, Parts, Record, View};
 use twinedge_geometry::Point;
 use twinedge_map::Embedding;
 
+/// A column that is null in the database.
 pub(super) const NULL: u32 = u32::MAX;
 /// A column that names no existing record.
 pub(super) const UNKNOWN: u32 = u32::MAX - 1;

@@ -100,6 +100,7 @@ fn place(map: &PlanarMap, violation: &Violation, edges: &[[Point; 2]]) -> Option
     (!all.is_empty()).then_some(sum)
 }
 
+/// Returns the approximate crossing of two segments.
 fn crossing([a, b]: [Point; 2], [c, d]: [Point; 2]) -> Option<Point> {
     let (u, v, w) = ([b.x - a.x, b.y - a.y], [d.x - c.x, d.y - c.y], [c.x - a.x, c.y - a.y]);
     let cross = |p: [f64; 2], q: [f64; 2]| p[0] * q[1] - p[1] * q[0];

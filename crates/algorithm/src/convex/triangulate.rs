@@ -58,6 +58,7 @@ pub fn triangulate(
     plan.draw(map)
 }
 
+/// No half-edge or component, in a column.
 const NIL: u32 = u32::MAX;
 
 /// The vertices and edges of some faces, numbered for `spade`.

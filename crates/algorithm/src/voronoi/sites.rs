@@ -6,9 +6,11 @@ use spade::handles::UndirectedEdgeHandle;
 use spade::{DelaunayTriangulation, HasPosition, Point2, Triangulation as _, validate_vertex};
 use twinedge_geometry::Point;
 
+/// A point with one or more sites.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Site {
     place: Point2<f64>,
+    /// The rank among first sites at their points.
     first: u32,
 }
 

@@ -38,6 +38,7 @@ impl Arbitrary for Scribble {
     }
 }
 
+/// The map of it, cut and rounded to whole numbers.
 pub(crate) fn noded(Scribble(shapes): &Scribble) -> PlanarMap {
     let mut builder = Builder::new();
     for shape in shapes {

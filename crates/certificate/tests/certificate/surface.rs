@@ -12,7 +12,9 @@ const OPEN: Expectation = Expectation::surface().open();
 /// The way in which a side is missing at the border.
 #[derive(Clone, Copy)]
 enum Border {
+    /// There is no half-edge.
     NoTwin,
+    /// The half-edge has no face.
     NoFace,
 }
 

@@ -7,6 +7,7 @@ use twinedge_algorithm::area::{Sum, face_area};
 use twinedge_geometry::Point;
 use twinedge_map::{Embedding, FeatureId, PlanarMap};
 
+/// The feature that owns each face, by index of face.
 pub(super) struct Ownership<'m> {
     pub(super) map: &'m PlanarMap,
     owners: Vec<Option<FeatureId>>,

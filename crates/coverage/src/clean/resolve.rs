@@ -186,6 +186,7 @@ fn nested(ownership: &Ownership<'_>, sizes: &[f64]) -> FxHashSet<(FeatureId, Fea
     common.into_iter().filter(is_nested).map(|(pair, _)| pair).collect()
 }
 
+/// Gives faces that only fillers claim to neighbours.
 fn fill(ownership: &mut Ownership<'_>, fillers: usize, heirs: &Heirs, changes: &mut Vec<Change>) {
     let map = ownership.map;
     let is_filled = |face: Face<'_>| {

@@ -102,6 +102,7 @@ impl Region {
         })
     }
 
+    /// Returns the features across its border, in order.
     pub(super) fn around(&self) -> Vec<u32> {
         let beyond = |edge: &Edge| {
             let is_of = edge.sides.each_ref().map(|side| self.claim.is_of(side));

@@ -29,6 +29,7 @@ struct End {
     /// The decrease of that coordinate as the side moves by the infinitesimal amount, over the same denominator.
     rate: i64,
     chord: u32,
+    /// True if the segment leaves the block here.
     leaves: bool,
 }
 

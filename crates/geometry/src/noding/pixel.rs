@@ -51,6 +51,7 @@ pub(super) fn cross(d: [i64; 2], e: [i64; 2]) -> i128 {
     i128::from(d[0]) * i128::from(e[1]) - i128::from(d[1]) * i128::from(e[0])
 }
 
+/// A rectangle of pixels, both corners included.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Block {
     pub(super) low: Pixel,
@@ -234,6 +235,7 @@ fn scale(d: i64, part: u128, whole: u128) -> (i64, u128) {
     }
 }
 
+/// Compares fractions with positive denominators.
 pub(super) fn compare((p, q): (i64, i64), (r, s): (i64, i64)) -> Ordering {
     (i128::from(p) * i128::from(s)).cmp(&(i128::from(r) * i128::from(q)))
 }

@@ -37,6 +37,7 @@ impl Uses {
 enum Step {
     /// Into the face of the half-edge with this index, unless its features are known.
     Enter(usize),
+    /// Back across this segment.
     Leave(usize),
 }
 

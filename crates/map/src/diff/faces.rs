@@ -119,6 +119,7 @@ impl Drawing<'_> {
         Ok(())
     }
 
+    /// Returns the face of each id. O(n log n).
     fn matched(&self, diff: &Diff, contents: &Contents) -> Result<Vec<(u128, FaceKey)>, ApplyError> {
         let mut said = Vec::new();
         let mut ends_of: FxHashMap<FaceKey, Ends> = FxHashMap::default();
@@ -171,6 +172,7 @@ struct Open {
 }
 
 impl Open {
+    /// Assigns a face to each id. Some faces may remain.
     fn matched(mut self, are_alike: impl Fn(&BTreeSet<u128>) -> bool) -> Result<Vec<(u128, Ends)>, ApplyError> {
         let mut matched = Vec::new();
         let faces = self.ids_of.iter().filter(|(_, ids)| ids.len() == 1).map(|(face, _)| Node::Face(*face));

@@ -175,6 +175,7 @@ impl Index {
         })
     }
 
+    /// Returns all records except features.
     pub(super) fn records(&self) -> impl Iterator<Item = Record> {
         let vertices = self.vertices.keys().map(|v| Record::Vertex(*v));
         let edges = self.edges.keys().map(|(a, b)| Record::Edge(*a, *b));

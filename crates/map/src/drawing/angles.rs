@@ -8,6 +8,7 @@ use core::cmp::Ordering;
 use twinedge::validate::{Findings, Flow, Rule, Violation};
 use twinedge_geometry::predicates::compare_angle;
 
+/// Runs G2.
 pub(crate) fn check(findings: &mut Findings, columns: &Columns) -> Flow {
     let mut seen = vec![false; columns.points.len()];
     let mut checked = 0;

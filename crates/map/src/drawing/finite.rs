@@ -6,6 +6,7 @@ use crate::drawing::columns::Columns;
 use twinedge::validate::{Findings, Flow, Rule, Violation};
 use twinedge_geometry::predicates::in_range;
 
+/// Runs G1.
 pub(crate) fn check(findings: &mut Findings, columns: &Columns) -> Flow {
     let mut checked = 0;
     for v in columns.vertices() {

@@ -7,6 +7,7 @@ use twinedge::validate::{Findings, Flow, Rule, Start, Violation};
 use twinedge_geometry::Point;
 use twinedge_geometry::predicates::{Orientation, compare_lexicographic, orientation};
 
+/// Runs G3.
 pub(crate) fn check(findings: &mut Findings, columns: &Columns, lists: &Lists) -> Flow {
     let mut checked = 0;
     let mut seen = vec![false; columns.origin.len()];

@@ -11,6 +11,7 @@ use twinedge_geometry::Point;
 use twinedge_geometry::noding::{Noded, Snap, node};
 use twinedge_geometry::predicates::{Meeting, meeting};
 
+/// An edge of the region, before anything changes.
 #[derive(Clone, Copy)]
 pub(super) struct RegionEdge {
     pub(super) key: HalfEdgeKey,

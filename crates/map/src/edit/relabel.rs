@@ -9,6 +9,7 @@ use crate::planar_map::PlanarMap;
 use rustc_hash::FxHashMap;
 use twinedge::dcel::{FaceKey, VertexKey};
 
+/// An edge of the map after the edit.
 #[derive(Default)]
 struct Border {
     /// The features that cover only one of its two sides.

@@ -21,6 +21,7 @@ use twinedge_geometry::sweep::sweep;
 
 /// One of the two cycles into which a new edge splits a cycle.
 struct CyclePart<'a> {
+    /// The side of the new edge on which this cycle lies.
     side: Side,
     /// The old half-edges, in order. The new half-edge leads from the target of the last to the origin of the first.
     old: Vec<HalfEdge<'a>>,

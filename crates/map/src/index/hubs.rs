@@ -77,6 +77,7 @@ impl Hub {
         Some(direction.half_edge as usize)
     }
 
+    /// Returns the half-edges in order.
     #[cfg(test)]
     pub(super) fn rotation(&self) -> Vec<u32> {
         self.leaving.iter().map(|direction| direction.half_edge).collect()

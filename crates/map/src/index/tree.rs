@@ -84,6 +84,7 @@ impl RecordTree {
         Self { tree: RTree::bulk_load(records) }
     }
 
+    /// O(log n).
     pub(super) fn insert(&mut self, record: BoxedRecord) {
         self.tree.insert(record);
     }

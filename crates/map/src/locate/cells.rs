@@ -154,6 +154,7 @@ impl Cells {
         rows.start + below..rows.start + above
     }
 
+    /// Returns the face that contains an empty cell.
     fn face(&self, graph: &Graph, column: usize, row: usize) -> Option<Stage> {
         let [x, y] = [self.columns.bounds[column], self.rows.bounds[row]].map(|[a, b]| f64::midpoint(a, b));
         let p = Point::new(x, y);

@@ -164,6 +164,7 @@ impl Graph {
         stage
     }
 
+    /// Returns the final stage for points in this face.
     pub(super) const fn stage(face: u32) -> Stage {
         MARK | face
     }

@@ -75,6 +75,7 @@ pub(super) struct Node {
 #[derive(Clone, Copy)]
 struct Trapezoid {
     node: u32,
+    /// The vertex whose wall is the right side.
     right: u32,
     /// The neighbours to the left and right along the segment above.
     upper: [u32; 2],

@@ -389,6 +389,7 @@ pub(super) struct Keys<K: Key> {
     /// The number of live keys in ranges of `all` (a Fenwick tree): range i, from 1, ends at key i, with the lowest bit of i as
     /// length.
     counts: Vec<usize>,
+    /// The removed keys, in order of removal.
     pub(super) retired: Vec<K>,
 }
 

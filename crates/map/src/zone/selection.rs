@@ -48,6 +48,7 @@ pub(crate) fn each_event<'m>(
 struct Selection {
     from: Point,
     direction: [f64; 2],
+    /// The box around the query, perhaps infinite.
     around: AABB<[f64; 2]>,
     /// True if the line rises to the right, or falls to the left.
     rises: bool,

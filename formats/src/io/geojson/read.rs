@@ -269,6 +269,7 @@ fn classify(error: serde_json::Error, progress: Progress) -> ReadError {
 }
 
 struct Sink<'f> {
+    /// Takes a part, and returns true to continue.
     take: &'f mut dyn FnMut(Part) -> Result<bool, Fault>,
     /// True if the members of the outermost object are also passed on.
     keep_members: bool,

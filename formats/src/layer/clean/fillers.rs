@@ -42,6 +42,7 @@ fn run_against([a, b]: [Point; 2], [c, d]: [Point; 2]) -> bool {
     (b.x - a.x) * (d.x - c.x) + (b.y - a.y) * (d.y - c.y) < 0.0
 }
 
+/// Returns the nearest point of a segment, rounded.
 fn nearest(p: Point, [a, b]: [Point; 2]) -> Point {
     let (x, y) = (b.x - a.x, b.y - a.y);
     let part = ((p.x - a.x) * x + (p.y - a.y) * y) / (x * x + y * y);

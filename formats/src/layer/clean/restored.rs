@@ -16,6 +16,7 @@ pub(super) fn key(x: f64, y: f64) -> (u64, u64) {
 pub(super) struct Restoration(FxHashMap<(u64, u64), Point>);
 
 impl Restoration {
+    /// Records all positions. O(positions), expected.
     pub(super) fn new(features: &[Cow<'_, Feature>], noding: &NodingSummary) -> Self {
         let mut first = FxHashMap::default();
         for geometry in features.iter().filter_map(|feature| feature.geometry.as_ref()) {

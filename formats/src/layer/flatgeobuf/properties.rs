@@ -59,6 +59,7 @@ impl<'a> Bytes<'a> {
         Ok(*first)
     }
 
+    /// Reads bytes preceded by their number.
     fn counted(&mut self) -> Result<&'a [u8], Cause> {
         let count = u32::from_le_bytes(self.take()?);
         let too_many = Cause::TooMany { what: "bytes of a value", count: count.into() };

@@ -83,6 +83,7 @@ pub(super) fn header_bytes(reader: &mut dyn Read) -> Result<Vec<u8>, ReadError> 
     Ok(buffer)
 }
 
+/// Parses the header of a table. O(columns).
 pub(super) fn header_of(buffer: &[u8]) -> Result<HeaderTable<'_>, ReadError> {
     let in_header = |cause| content(Place::Header, cause);
     let header = size_prefixed_root_as_header_with_opts(&options(buffer), buffer);

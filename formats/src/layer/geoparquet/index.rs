@@ -174,6 +174,7 @@ impl Geometries {
     }
 }
 
+/// The boxes of the rows of a row group, in order.
 struct Boxes {
     sides: [Numbers; 4],
     read: std::vec::IntoIter<Extent>,

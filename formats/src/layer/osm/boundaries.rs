@@ -62,7 +62,9 @@ struct Making<'a> {
 /// A ring with its place among the others of its relation.
 struct Placed {
     line: Line,
+    /// The number of rings around it.
     depth: usize,
+    /// The smallest ring around it.
     parent: Option<usize>,
     /// True if it is known to be an outer ring or a hole.
     is_certain: bool,
@@ -311,6 +313,7 @@ fn named(number: usize, relation: &Relation) -> FeatureName {
     FeatureName { number, label: said(relation), name: name(relation).map(str::to_owned), id: Some(id) }
 }
 
+/// Makes a text safe for a terminal.
 fn plain(text: &str) -> String {
     text.chars().map(|c| if c.is_control() { char::REPLACEMENT_CHARACTER } else { c }).collect()
 }

@@ -11,6 +11,7 @@ const PREFIXES: [&str; 7] = ["CP", "OEM", "ANSI", "WINDOWS", "IBM", "ISO", "MS"]
 pub(super) enum Charset {
     /// A set that browsers support.
     Encoding(&'static Encoding),
+    /// A code page of DOS, by its number.
     Oem(u16, &'static TableType),
     /// An unknown name or number. ASCII is the same in all sets.
     Unknown(String),

@@ -9,6 +9,7 @@ pub(super) struct Builder {
     points: Vec<[f64; 3]>,
     corners: Vec<u32>,
     offsets: Vec<u32>,
+    /// The largest index in a face, and its position.
     largest: Option<(u32, Position)>,
     /// The number of the first point in the format.
     first: i64,

@@ -49,6 +49,7 @@ impl Tiles {
         1 << (2 * self.count)
     }
 
+    /// Returns a tile by its number, counted row by row.
     pub(super) fn block(&self, tile: usize) -> Block {
         let Block { low, high } = self.block;
         let at = [tile & ((1 << self.count) - 1), tile >> self.count].map(usize::cast_signed).map(|place| place as i64);
