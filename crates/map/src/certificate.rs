@@ -15,7 +15,8 @@ use twinedge_certificate::{Column, Drawing, Labels};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, thiserror::Error)]
 #[non_exhaustive]
 pub enum DrawingError {
-    /// No grid contains all coordinates: they are not finite, or too large as multiples of a power of two. Snap them.
+    /// No grid contains all coordinates: they are not finite, or too large as multiples of a power of two. Snapping to a grid
+    /// helps.
     #[error("the coordinates are on no grid on which they are at most 2^51 steps")]
     NoGrid,
     /// An edge has bends.

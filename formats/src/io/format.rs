@@ -135,7 +135,8 @@ impl Format {
         }
     }
 
-    /// Returns the format of a file, by its content and its name. Several GeoJSON objects are always newline-delimited.
+    /// Returns the format of a file, by its content and its name. Content of several GeoJSON objects is newline-delimited,
+    /// whatever the extension.
     ///
     /// ```
     /// use twinedge_formats::io::Format;

@@ -1,6 +1,7 @@
 //! Reference systems of the EPSG, in Esri's definitions for `.prj`, and in PROJJSON.
 //!
-//! Source: the EPSG Geodetic Parameter Dataset (IOGP, <https://epsg.org>), by PROJ; see `data/esri_wkt.py`, `data/projjson.py`.
+//! Source: the EPSG Geodetic Parameter Dataset (IOGP, <https://epsg.org>), written by PROJ; see `data/esri_wkt.py`,
+//! `data/projjson.py`.
 
 #[cfg(feature = "epsg")]
 use flate2::read::GzDecoder;

@@ -1,6 +1,7 @@
 //! The lines of a topology alone: they can be judged despite broken links.
 //!
-//! A line ends at the node that its edge names, if it lies there, or else at any node at that point. Else it has no node.
+//! A line ends at the node that its edge names, if it lies there, or else at any node at that point. Otherwise the end is a
+//! vertex without node.
 
 use super::topology::Topology;
 use std::collections::{BTreeMap, BTreeSet, HashMap};

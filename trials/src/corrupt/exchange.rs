@@ -19,7 +19,7 @@ pub(super) enum Rows {
 pub(super) enum Exchange {
     /// The contents of two cells of a kind.
     Cells(Cell, Cell),
-    /// Two whole records. Two whole records.
+    /// Two whole records.
     Records(Rows, usize, usize),
     /// The labels of two cycles or isolated vertices, by the numbers of their entries in the lists of the faces; with the starts,
     /// the two bound each other's faces, at each other's places.

@@ -25,7 +25,7 @@ pub(super) struct Judgement {
     pub(super) pairs: Tally,
     /// For each rule, the number of tables that break it first, by the reference.
     pub(super) first_broken: BTreeMap<Rule, u64>,
-    /// This number by the number of the expectation, for the tables in every form. `None` counts the valid ones.
+    /// For each expectation and rule, this number for the tables in every form. `None` counts the valid ones.
     pub(super) by_expectation: BTreeMap<(usize, Option<Rule>), u64>,
     pub(super) hung: u64,
     pub(super) panics: u64,

@@ -78,7 +78,8 @@ impl<A: Copy + Send> Watch<A> {
         watched
     }
 
-    /// Runs `work` under watch. If a validation does not end, calls `hangs`, which should end the program, as a thread cannot be.
+    /// Runs `work` under watch. If a validation does not end, calls `hangs`, which should end the program: a thread cannot be
+    /// stopped.
     pub(super) fn during<T>(&self, work: impl FnOnce() -> T, hangs: impl Fn(A) + Sync) -> T {
         self.during_with(PAUSE, work, hangs)
     }

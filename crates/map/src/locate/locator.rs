@@ -91,7 +91,8 @@ impl<'m> Locator<'m> {
         self.map
     }
 
-    /// Returns the location of a point. Edges are named by the half-edge to the right, or straight up. O(log n) expected.
+    /// Returns the location of a point. An edge is named by the half-edge that runs to the right, or straight up. O(log n)
+    /// expected.
     ///
     /// ```
     /// use twinedge_geometry::Point;

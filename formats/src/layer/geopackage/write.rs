@@ -48,7 +48,8 @@ UNIT[\"degree\",0.0174532925199433,AUTHORITY[\"EPSG\",\"9122\"]],AUTHORITY[\"EPS
 /// The number of a reference system without its own number.
 const OWN: i64 = 100_000;
 
-/// Returns true if the ids can be primary keys, which order the features: all features have one, and they are ascending integers.
+/// Returns true if the ids can be primary keys, in whose order features are read: all features have one, and they are ascending
+/// integers.
 pub(in crate::layer) fn holds_ids(layer: &Layer) -> bool {
     layer.features.iter().all(|feature| key(feature).is_some()) && layer.features.is_sorted_by(|a, b| key(a) < key(b))
 }

@@ -21,8 +21,8 @@ pub(super) fn of_projjson(json: &Json) -> Crs {
     Crs { projjson: (!is_known).then(|| json.clone()), ..crs }
 }
 
-/// Creates the system of Parquet's own geometry type: a number (`srid:2056`, `EPSG:2056`), PROJJSON, or a metadata key; or
-/// `None`.
+/// Creates the system of Parquet's own geometry type: a number (`srid:2056`, `EPSG:2056`), PROJJSON, or its key in the metadata.
+/// `None` for an unknown one.
 pub(super) fn of_native(text: Option<&str>, metadata: impl Fn(&str) -> Option<String>) -> Option<Crs> {
     let Some(text) = text else { return Some(Crs::epsg(WGS_84)) };
     let json = |text: &str| serde_json::from_str::<Json>(text).ok().filter(Json::is_object);

@@ -272,7 +272,8 @@ fn nulls(column: &ColumnChunkMetaData) -> u64 {
     column.statistics().and_then(Statistics::null_count_opt).unwrap_or_default()
 }
 
-/// Returns the box around the rows of a row group, of nothing if some are not located; `None` if the file does not state it.
+/// Returns the box around the rows of a row group, or the box of nothing if some are not located; `None` if the file does not
+/// state it.
 ///
 /// Statistics leave out rows without a box. They do not reveal a box across the antimeridian if other boxes reach farther to both
 /// sides: a geometry outside the box of its row group is refused when it is read.

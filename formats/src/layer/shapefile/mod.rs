@@ -1,9 +1,11 @@
-//! Esri Shapefile: geometries in `.shp`, index in `.shx`, attributes in `.dbf`, system in `.prj`, character set in `.cpg`.
+//! Esri Shapefile: geometries in `.shp`, index in `.shx`, attributes in `.dbf`, reference system in `.prj`, character set in
+//! `.cpg`.
 //!
 //! Read and written here because the crate `shapefile` 0.9 cannot write features without geometry, among others, and the crate
 //! `dbase` 0.8 reads columns of type `F` with 32 bits and whole numbers as floating-point numbers.
 //!
-//! Sources: "ESRI Shapefile Technical Description" (1998); dBASE III files by the Library of Congress (fdd000326).
+//! Sources: "ESRI Shapefile Technical Description" (1998); the description of dBASE III files by the Library of Congress
+//! (fdd000326).
 
 mod charset;
 mod columns;

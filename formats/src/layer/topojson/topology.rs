@@ -15,7 +15,7 @@ pub(super) const NIL: u32 = u32::MAX;
 /// another around a face: that is the next one in the order around the end. A polygon whose place differs from that of its arcs
 /// therefore has a label that changes along a cycle (B1), and so on.
 ///
-/// Points that repeat the one before them are no bends. Arcs without length or polygon are no edges.
+/// Points that repeat the one before them are no bends. Arcs without length, and arcs that no polygon uses, are no edges.
 #[derive(Debug, Default)]
 pub struct ArcTopology {
     pub(super) points: Vec<Point>,
