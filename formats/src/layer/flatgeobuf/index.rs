@@ -22,7 +22,6 @@ struct Node {
     offset: u64,
 }
 
-/// A file with an index.
 pub(in crate::layer) struct IndexedFile {
     file: File,
     length: u64,
@@ -68,7 +67,6 @@ impl IndexedFile {
         self.tree.count()
     }
 
-    /// Returns the numbers of bytes read and in total.
     pub(in crate::layer) const fn bytes(&self) -> [u64; 2] {
         [self.read, self.length]
     }

@@ -36,7 +36,6 @@ struct Group {
     has_geometries: bool,
 }
 
-/// A file with boxes.
 pub(in crate::layer) struct IndexedFile {
     reader: SerializedFileReader<File>,
     column: GeometryColumn,
@@ -73,7 +72,6 @@ impl IndexedFile {
         self.column.header()
     }
 
-    /// Returns true if the file declares that all geometries are points.
     pub(in crate::layer) const fn has_only_points(&self) -> bool {
         self.column.has_only_points
     }
@@ -244,7 +242,6 @@ fn damaged(what: &str) -> ParquetError {
     ParquetError::General(what.to_owned())
 }
 
-/// Returns the neighbours of a 32-bit number.
 fn around(number: f32) -> [f64; 2] {
     [number.next_down(), number.next_up()].map(f64::from)
 }
@@ -275,7 +272,8 @@ fn nulls(column: &ColumnChunkMetaData) -> u64 {
     column.statistics().and_then(Statistics::null_count_opt).unwrap_or_default()
 }
 
-/// Returns the box around the rows of a row group, of nothing if some are not located; `None` if the file does not state it.
+/// Returns the box around the rows of a row group, or the box of nothing if some are not located; `None` if the file does not
+/// state it.
 ///
 /// Statistics leave out rows without a box. They do not reveal a box across the antimeridian if other boxes reach farther to both
 /// sides: a geometry outside the box of its row group is refused when it is read.

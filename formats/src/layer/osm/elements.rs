@@ -58,7 +58,6 @@ pub(super) enum Role {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Elements {
     pub(super) relations: Vec<Relation>,
-    /// The nodes of ways, in order.
     pub(super) ways: FxHashMap<i64, Vec<i64>>,
     pub(super) nodes: FxHashMap<i64, Point>,
 }
