@@ -50,7 +50,8 @@ impl<'a, T: Cell> Column<'a, T> {
         Self { cells, first: 0, step: 1, len: cells.len() }
     }
 
-    /// Returns the column of the `len` cells at `first`, `first + stride`, `first + 2 · stride` …. A stride may be negative.
+    /// Returns the column of the `len` cells at `first`, `first + stride`, `first + 2 · stride` and so on. A stride may be
+    /// negative.
     ///
     /// # Errors
     /// [`ColumnsError::OutOfSlice`] if one of these is not in the slice.

@@ -15,7 +15,6 @@ pub(crate) struct Form<'a, C, const PLAIN: bool> {
     /// `None`: twins are paired.
     pub(crate) twin: Option<C>,
     pub(crate) parts: Parts,
-    /// These may be empty.
     pub(crate) origin: C,
     pub(crate) target: C,
     pub(crate) prev: C,

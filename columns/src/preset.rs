@@ -68,8 +68,8 @@ presets! {
         from "OpenMesh, The Halfedge Data Structure, and OpenMesh/Core/Mesh/PolyConnectivity.hh, is_boundary and adjust_outgoing_halfedge"
         MESH.border_kept();
     /// `CGAL::Arrangement_2` of bounded curves, in the plane. The manual: a half-edge has its face to its left; the half-edges
-    /// around a face form chains (CCBs); a face has at most one outer one, the one unbounded face none, and any inner ones and
-    /// isolated vertices.
+    /// around a face form chains (CCBs); a face has at most one outer one, the one unbounded face none, and any number of inner
+    /// ones and isolated vertices.
     ///
     /// A half-edge keeps its target, and a vertex one that arrives: answer `leaving` with its twin. Records of CCBs and isolated
     /// vertices keep an iterator into their face's list, which is no position, so there are no

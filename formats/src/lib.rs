@@ -1,9 +1,9 @@
 //! Readers and audits for files that hold half-edge structures, or data that becomes one.
 //!
-//! [`mesh`] reads OBJ, OFF, PLY and STL, joins the faces to half-edges, reports in the user's terms any that cannot be joined,
-//! and lets the validator of `twinedge` judge the rest. `postgis` reads a topology of PostGIS as the database keeps it. `layer`
-//! reads, writes and repairs layers of features; `layer::topojson` audits arcs. `svg` draws maps. `textbook` has the textbooks'
-//! tables.
+//! [`mesh`] reads OBJ, OFF, PLY and STL, joins the faces to half-edges, reports in the user's terms the parts that cannot be
+//! joined, and lets the validator of `twinedge` judge the rest. `postgis` reads a topology of PostGIS as the database keeps it.
+//! `layer` reads, writes and repairs layers of features; `layer::topojson` audits arcs. `svg` draws maps. `textbook` has the
+//! textbooks' tables.
 //!
 //! ```
 //! # #[cfg(feature = "off")] {

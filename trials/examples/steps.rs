@@ -25,7 +25,6 @@ const USAGE: &str =
     "usage: steps small EDGES VERTICES     every operator with every argument on every small subdivision
        steps random PROGRAMS STEPS SEED  the operators of random programs";
 
-/// A `Dcel` that records its last operator.
 #[derive(Clone, Default)]
 struct Recorder {
     dcel: Dcel,
@@ -131,7 +130,6 @@ fn small(edges: usize, vertices: usize, out: &mut impl Write) -> Result<(), Box<
     Ok(written?)
 }
 
-/// Runs the random programs of `soak`.
 fn random(work: SoakWork, out: &mut impl Write) -> Result<(), Box<dyn Error>> {
     for number in 0..work.programs {
         let mut map = Runner::new(Recorder::default());

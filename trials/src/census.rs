@@ -13,7 +13,8 @@
 //! # How
 //!
 //! Starting with the smallest map, [every operator](every_op) that makes something is applied to every map found, and the result
-//! is new if its [canonical form](twinedge::program::canonical) is unknown. Missing maps would show in the counts.
+//! is new if its [canonical form](twinedge::program::canonical) is unknown. Missing maps would show, as the numbers are
+//! published.
 //!
 //! All maps are reached. An edge of a connected map can be removed if it separates two faces, or contracted if it does not; the
 //! inverses [`split_vertex`](Op::SplitVertex) and [`connect`](Op::Connect) therefore make each map from one with an edge less.
@@ -115,7 +116,6 @@ impl Census {
         census
     }
 
-    /// Keeps a map if it is new.
     fn meet(&mut self, found: Discovery) {
         let code = self.canonizer.subdivision(found.runner.subject());
         if code.is_some_and(|code| self.seen.insert(code)) {

@@ -37,7 +37,6 @@ pub enum Value {
     BoundaryPlace(Option<BoundaryPlace>),
 }
 
-/// A reference to the stored value.
 enum Stored<'a> {
     Link(&'a mut Link),
     Start(&'a mut Option<Start>),
@@ -230,7 +229,8 @@ fn row<T>(rows: &mut [Option<T>], i: usize) -> Option<&mut T> {
 }
 
 /// Calls `visit` with the table after each change of one cell to another of its [values](TableCells::values), and with that cell
-/// and value. Cells of parts that are not stored are left alone. It ends unchanged. O(n) changes for each of the O(n) cells.
+/// and value. Cells of parts that are not stored are left alone. At the end the table is unchanged. O(n) changes for each of the
+/// O(n) cells.
 ///
 /// ```
 /// use twinedge_trials::enumerate::for_each_corruption;

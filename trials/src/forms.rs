@@ -153,7 +153,8 @@ fn unlist_inner(table: &mut Table, f: usize) {
     }
 }
 
-/// Removes the records for boundary components: half-edges name their face instead, and faces name starts.
+/// Removes the records for boundary components: half-edges name their face instead, and faces the starts of their boundary
+/// components.
 fn drop_boundaries(table: &mut Table) {
     let boundaries = std::mem::take(&mut table.boundaries);
     let record = |b: Link| boundaries.get(b?).copied().flatten();
@@ -190,7 +191,8 @@ fn without_face(table: &Table, parts: Parts, f: usize) -> Option<Table> {
     Some(open)
 }
 
-/// Returns the table without the half-edges of one cycle, and without the face that it encloses: its twins lose theirs.
+/// Returns the table without the half-edges of one cycle, and without the face that it encloses: the twins of these half-edges
+/// then have no twin.
 fn without_cycle(table: &Table, b: usize) -> Option<Table> {
     let boundary = table.boundaries.get(b)?.as_ref()?;
     let of_it = |h: usize| table.half_edges[h].as_ref().is_some_and(|row| row.boundary == Some(b));

@@ -30,7 +30,7 @@
 //! | [`sample()`] | judges random tables, nested and damaged | the same in larger maps |
 //! | [`replay()`] | runs one program and keeps the table after each operator | the step at which a failing program goes wrong |
 //!
-//! `prove`, `meshes` and `soak` test a structure. `corrupt`, `tables` and `sample` test a validator: [`Validator`], the one of
+//! `prove`, `meshes` and `soak` test a structure. `corrupt`, `tables` and `sample` test a validator: [`Validator`] of
 //! the library, its [`FastPath`] or its checker of [`Certificates`], or any other [`Checker`].
 //!
 //! | input for tests of one's own | |

@@ -6,8 +6,8 @@ use twinedge::program::{Call, CallOf, HandleOf, Refusal, Subject};
 use twinedge::validate::View;
 use twinedge::{delegate_subject, delegate_view};
 
-/// A [`Dcel`] with a bug. `Planted<false>` turns edges the wrong way and keeps every rule; `Planted<true>` panics on moving
-/// holes.
+/// A [`Dcel`] with a bug. `Planted<false>` turns edges the wrong way and keeps every rule; `Planted<true>` panics when
+/// it moves a boundary component.
 ///
 /// ```
 /// use twinedge::validate::Expectation;

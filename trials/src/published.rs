@@ -87,7 +87,7 @@ pub(crate) fn tutte(vertices: usize) -> Option<u64> {
 
 /// Returns the number of simple triangulations of a disc, rooted at its border (Brown, *Enumeration of triangulations of the
 /// disk*, 1964): with n inner and m + 3 outer vertices, 2 (2m + 3)! (4n + 2m + 1)! / ((m + 2)! m! n! (3n + 2m + 3)!). `None`
-/// beyond.
+/// for larger numbers.
 pub(crate) fn brown(outer: usize, inner: usize) -> Option<u64> {
     let (m, n) = (outer.checked_sub(3)? as u128, inner as u128);
     if m + n > 6 {

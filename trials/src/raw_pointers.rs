@@ -154,7 +154,6 @@ impl Half {
         self.prev().twin()
     }
 
-    /// Makes `n` follow on its cycle.
     fn join(self, n: Self) {
         self.next.set(Some(n));
         n.prev.set(Some(self));
@@ -205,7 +204,6 @@ impl Half {
     }
 }
 
-/// A corner with its handle resolved.
 type Spot = Corner<Half, Link<Vertex>>;
 
 fn vertex_of(spot: Spot) -> Link<Vertex> {
@@ -543,7 +541,6 @@ impl RawPointers {
         Ok(())
     }
 
-    /// Returns the starts of the inner boundary components of a face.
     fn inner_starts(&self, face: usize) -> Vec<Start> {
         let (mut starts, mut seen) = (Vec::new(), BTreeSet::new());
         for h in self.half_edges.all().filter(|h| h.face().number == face && !h.is_outer()) {

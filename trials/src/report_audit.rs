@@ -33,7 +33,6 @@ pub struct ReportAudit {
     dropped: Vec<BoundaryKey>,
 }
 
-/// Returns the boundary component on which a corner lies.
 fn boundary_of(dcel: &Dcel, corner: Corner) -> Result<Boundary<'_>, OperatorError> {
     match corner {
         Corner::At(h) => Ok(dcel.half_edge(h)?.boundary()),
@@ -80,7 +79,6 @@ struct Changes {
 }
 
 impl Changes {
-    /// Returns the records that only the first one has.
     fn between(one: &Records, other: &Records) -> Self {
         let has_not = |b: &&BoundaryKey| !other.boundaries.contains_key(*b);
         Self {
@@ -108,7 +106,6 @@ impl Change {
     }
 }
 
-/// Asserts that a report is true.
 #[track_caller]
 fn reports<T: Copy + PartialEq + std::fmt::Debug>(operator: &str, what: &str, reported: T, found: T) {
     assert!(reported == found, "{operator} reports {what} {reported:?}, not {found:?}");

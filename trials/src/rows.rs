@@ -146,7 +146,6 @@ macro_rules! add_up {
 }
 pub(crate) use add_up;
 
-/// Adds the rows of another part.
 pub(crate) fn add_rows<R: Row>(sum: &mut [R], rows: &[R]) {
     sum.iter_mut().zip(rows).for_each(|(sum, row)| sum.add(row));
 }
@@ -154,7 +153,6 @@ pub(crate) fn add_rows<R: Row>(sum: &mut [R], rows: &[R]) {
 /// The largest number of findings that an outcome keeps; all are counted.
 pub(crate) const MOST_FINDINGS: usize = 10;
 
-/// Appends findings up to the limit.
 pub(crate) fn add_findings<T: Clone>(findings: &mut Vec<T>, others: &[T]) {
     findings.extend_from_slice(others);
     findings.truncate(MOST_FINDINGS);

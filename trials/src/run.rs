@@ -104,7 +104,6 @@ impl<'a> Run<'a> {
     }
 }
 
-/// Returns the number of threads the machine runs at once.
 fn cores() -> usize {
     std::thread::available_parallelism().map_or(1, Into::into)
 }

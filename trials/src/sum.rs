@@ -118,10 +118,9 @@ impl SumError {
     }
 }
 
-/// The number of missing parts that are named.
 const NAMED: usize = 10;
 
-/// Returns the outcome of the whole work from those of all parts, in any order. All counts equal those of a single run.
+/// Returns the outcome of the whole work from the outcomes of its parts, in any order. All counts equal the counts of one run.
 ///
 /// ```
 /// use twinedge_trials::tables::TablesWork;

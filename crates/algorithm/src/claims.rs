@@ -9,7 +9,8 @@ pub fn features_of<'a>(map: &'a PlanarMap, face: Face<'a>) -> impl Iterator<Item
     map.features_of(face.key()).into_iter().flatten().filter(move |feature| plane || !leaks(map, *feature))
 }
 
-/// Returns true if a feature seems to cover the unbounded face, unlike on any plane map: its extent is unknown. O(log n + those).
+/// Returns true if a feature seems to cover the unbounded face, so that its extent is unknown. This never happens on a plane map.
+/// O(log n + leaking features).
 ///
 /// ```
 /// use twinedge_algorithm::claims::leaks;

@@ -268,7 +268,8 @@ fn gcd(mut a: i128, mut b: i128) -> i128 {
 fn floor_sum(mut n: i128, mut m: i128, mut a: i128, mut b: i128) -> i128 {
     let mut sum: i128 = 0;
     loop {
-        // The integer parts of slope and height form a triangle and a rectangle. The rest is a triangle below one.
+        // The integer parts of slope and height form a triangle and a rectangle. The rest is a triangle under a line with a slope
+        // and a height below one.
         sum = sum.wrapping_add((n * (n - 1) / 2).wrapping_mul(a.div_euclid(m))).wrapping_add(n * b.div_euclid(m));
         (a, b) = (a.rem_euclid(m), b.rem_euclid(m));
         let top = a * n + b;

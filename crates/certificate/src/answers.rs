@@ -106,7 +106,6 @@ impl<'a, V: View + ?Sized, C: Columns> Answers<'a, V, C> {
         Some([live(self.twin(h))?, live(self.next(h))?, live(self.prev(h))?])
     }
 
-    /// Returns the half-edge kept by its origin.
     #[inline(always)]
     pub(super) fn kept(&self, h: usize) -> Link {
         self.leaving(self.origin(h)?)

@@ -188,7 +188,6 @@ impl<V: View + ?Sized, C: Columns> Answers<'_, V, C> {
         }
     }
 
-    /// The face lists the component at its place.
     fn place_ok(&self, b: usize) -> bool {
         match (self.boundary_face(b), self.place(b)) {
             (Some(f), Some(BoundaryPlace::Outer)) => self.outer(f) == Some(b),

@@ -42,7 +42,6 @@ pub fn check_drawing<V: View + ?Sized, C: Columns, D: Columns>(
 struct Darts<'a, V: ?Sized, C, D: Columns> {
     s: &'a Answers<'a, V, C>,
     drawing: &'a D,
-    /// The numbers of darts and of points, read once.
     count: usize,
     points: usize,
     twin: D::Numbers<'a>,

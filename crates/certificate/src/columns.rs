@@ -154,7 +154,8 @@ impl Labels {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum LabelsError {
-    /// The structure stores faces without inner boundary components or unbounded face: its nesting is undetermined.
+    /// The structure stores faces without lists of inner boundary components or without an unbounded face: its nesting is
+    /// undetermined.
     NoContainment,
     /// This half-edge names another face than its boundary component does. A certificate would not cover the name.
     FaceOfHalfEdge(usize),

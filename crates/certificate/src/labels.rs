@@ -169,7 +169,8 @@ impl Labels {
         self.put(Column::BoundaryPlace, b, i);
     }
 
-    /// Puts one cycle of each component, and all isolated vertices, into an unbounded face, number 0. Others have their own.
+    /// Puts one cycle of each component, and all isolated vertices, into an unbounded face, number 0. Every other cycle bounds a
+    /// face of its own.
     fn invent_faces<V: View + ?Sized>(&mut self, view: &V) -> Result<(), LabelsError> {
         let outside = outsides(&Answers::new(view, self))?;
         self.column_mut(Column::FaceOuter).push(NIL);
@@ -206,7 +207,6 @@ pub(super) fn nils(n: usize) -> Result<Vec<u32>, LabelsError> {
     column(n, NIL).ok_or(LabelsError::OutOfMemory)
 }
 
-/// Returns the previous half-edge of each half-edge.
 fn prevs<V: View + ?Sized>(view: &V) -> Result<Vec<u32>, LabelsError> {
     let mut prev = nils(view.half_edge_slots())?;
     for h in (0..prev.len()).filter(|h| view.is_half_edge(*h)) {
@@ -217,7 +217,6 @@ fn prevs<V: View + ?Sized>(view: &V) -> Result<Vec<u32>, LabelsError> {
     Ok(prev)
 }
 
-/// Returns a half-edge that leaves each vertex.
 fn kept<V: View + ?Sized>(view: &V) -> Result<Vec<u32>, LabelsError> {
     let mut leaving = nils(view.vertex_slots())?;
     for h in (0..view.half_edge_slots()).filter(|h| view.is_half_edge(*h)) {

@@ -31,9 +31,10 @@ pub struct Certificate<C = Labels> {
 impl Certificate {
     /// Creates the certificate of a structure with these labels. O(n) for n slots and list entries; 24 bytes for each half-edge.
     ///
-    /// Links that do not fit into 32 bits lead nowhere in it. A certificate has boundary components, and no columns for names of
-    /// half-edges and faces without them: if such a name differs from that given by the boundary component, there is no
-    /// certificate. So [`check`](Self::check) passes only if [the check](super::check()) of the structure with these labels does.
+    /// Links that do not fit into 32 bits lead nowhere in it. A certificate has boundary components, and no columns for the names
+    /// by which half-edges and faces name each other without them: if such a name differs from that given by the boundary
+    /// component, there is no certificate. So [`check`](Self::check) passes only if [the check](super::check()) of the structure
+    /// with these labels does.
     ///
     /// # Errors
     /// [`LabelsError::FaceOfHalfEdge`], [`LabelsError::StartsOfFace`], [`LabelsError::TooLarge`], [`LabelsError::OutOfMemory`].

@@ -109,7 +109,6 @@ impl<C: Columns> Columns for &C {
     }
 }
 
-/// The entries of columns as the tests read them.
 pub(super) trait Entries: Columns {
     /// Returns the stored entry; nil beyond the end.
     #[inline(always)]

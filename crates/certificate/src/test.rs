@@ -31,7 +31,8 @@ macro_rules! tests {
 }
 
 tests! {
-    /// The numbers of ranks and of half-edge slots are equal, and slot numbers fit into 32 bits. Otherwise it ends.
+    /// The numbers of ranks and of half-edge slots are equal, and slot numbers fit into 32 bits. Otherwise nothing else is
+    /// tested.
     Readable "readable" of "",
     /// `twin(twin(h)) = h`, and `twin(h) ≠ h`.
     TwinOk "twin_ok" of "half-edges",
@@ -162,7 +163,6 @@ impl Noted for UntilFailure {
     }
 }
 
-/// The failures of each test so far.
 pub(super) struct Failures([Option<Failure>; Test::ALL.len()]);
 
 impl Failures {

@@ -17,7 +17,6 @@ pub(super) fn first_like<'f>(map: &PlanarMap, faces: &'f [Vec<FaceKey>]) -> Vec<
     map.features().zip(faces).map(|(feature, own)| like(feature, own)).collect()
 }
 
-/// Returns a finding for each set of features that claim the same faces.
 pub(super) fn duplicates(map: &PlanarMap, faces: &[Vec<FaceKey>], first_like: &[FeatureId]) -> Vec<Finding> {
     let mut like: FxHashMap<FeatureId, Vec<FeatureId>> = FxHashMap::default();
     for (feature, first) in map.features().zip(first_like) {

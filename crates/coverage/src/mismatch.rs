@@ -72,7 +72,6 @@ pub(crate) fn apart(
     unmatched.iter().copied().filter(is_apart)
 }
 
-/// Groups unmatched vertices into findings.
 pub(crate) fn by_pairs(unmatched: impl IntoIterator<Item = UnmatchedVertex>) -> Vec<Finding> {
     let mut pairs: BTreeMap<[FeatureId; 2], Vec<UnmatchedVertex>> = BTreeMap::new();
     for one in unmatched {

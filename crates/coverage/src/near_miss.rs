@@ -233,7 +233,6 @@ impl Piece {
         self.length * f64::midpoint(self.widths[0], self.widths[1])
     }
 
-    /// Returns the midpoint between both sides.
     fn middle(&self, sides: &Sides<'_>) -> Point {
         let p = middle(self.ends);
         middle([p, nearest(p, sides.ends(self.other))])

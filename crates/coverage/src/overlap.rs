@@ -10,7 +10,8 @@ use twinedge::dcel::Face;
 use twinedge_algorithm::claims::features_of;
 use twinedge_map::{FeatureId, PlanarMap};
 
-/// Returns the overlaps. `first_like` has each feature's first equal. Expected O(n + o log o) for o half-edges of overlaps.
+/// Returns the overlaps. `first_like` has, for each feature, the first one that claims the same faces. Expected O(n + o log o)
+/// for o half-edges of overlaps.
 pub(super) fn overlaps(map: &PlanarMap, first_like: &[FeatureId]) -> Vec<Finding> {
     let mut claims: FxHashMap<usize, Vec<FeatureId>> = FxHashMap::default();
     let mut claimed = Vec::new();

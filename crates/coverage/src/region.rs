@@ -82,7 +82,6 @@ pub(crate) fn extent(map: &PlanarMap, faces: &[Face<'_>]) -> Extent {
     Extent { area, width: mean_width(area, length), length, at, corner }
 }
 
-/// Makes the finding of a set of bounded faces.
 pub(crate) fn finding(map: &PlanarMap, rule: CoverageRule, features: Vec<FeatureId>, faces: &[Face<'_>]) -> Finding {
     let Extent { area, width, length, at, corner } = extent(map, faces);
     Finding {

@@ -81,7 +81,6 @@ impl Segments<'_> {
     }
 }
 
-/// Rings with an index of their segments.
 pub(super) struct Rings<'a> {
     all: &'a [Ring],
     segments: &'a Segments<'a>,
@@ -129,7 +128,6 @@ impl Rings<'_> {
         meets.collect()
     }
 
-    /// Returns the contact of two segments, and its location.
     fn contact(&self, (r, i): (usize, usize), (q, j): (usize, usize)) -> Option<(Contact, Point)> {
         let (one, other) = (&self.all[r], &self.all[q]);
         let ([a, b], [c, d]) = (one.segment(i), other.segment(j));

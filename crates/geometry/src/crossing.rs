@@ -197,7 +197,6 @@ impl Clashes {
     }
 }
 
-/// Returns the points that no segment uses.
 fn isolated(points: &[Point], segments: &[[u32; 2]]) -> Vec<u32> {
     let mut is_used = vec![false; points.len()];
     for end in segments.as_flattened() {

@@ -40,7 +40,6 @@ pub(super) fn sorted(points: &[Point]) -> Vec<Event> {
     events
 }
 
-/// Replaces numbers by their prefix sums.
 pub(super) fn accumulate(numbers: &mut [u32]) {
     let mut sum = 0;
     for number in numbers {

@@ -25,7 +25,8 @@ pub(super) struct Gap {
 
 /// The strands under the sweep line, in order: a balanced search tree and a list in one, with handles valid until removal.
 ///
-/// Only [`locate`](Self::locate) compares. Other methods use handles, even out of order, as after a crossing.
+/// Only [`locate`](Self::locate) compares. All other methods use handles, so they also work if the strands are out of order, as
+/// after a crossing.
 ///
 /// The tree is a treap (Seidel and Aragon, "Randomized search trees", Algorithmica 16 (1996) 464-497): a search tree by position
 /// that is a heap by a priority. The priority is a hash of the handle, so nothing is stored, nothing is random, and the expected

@@ -166,7 +166,6 @@ struct Line<'a> {
 }
 
 impl<'a> Line<'a> {
-    /// Sorts the events and files the segments.
     fn new(points: &'a [Point], segments: &'a [[u32; 2]]) -> Self {
         let events = sorted(points);
         let same_place = events.windows(2).find(|pair| pair[0].at == pair[1].at);
@@ -324,7 +323,6 @@ impl<'a> Line<'a> {
         (below, last, node)
     }
 
-    /// Replaces a strand that ends by a segment that starts.
     fn replace(&mut self, node: u32, at: Point, start: usize) {
         self.status.replace(node, self.strand(at, start));
         self.arriving[self.starts[start].end as usize] = node;
@@ -335,7 +333,6 @@ impl<'a> Line<'a> {
         Strand { low: at, high: self.events[end as usize].at, segment, end, companion: self.arriving[end as usize] }
     }
 
-    /// Examines two neighbours for a clash.
     #[inline]
     fn examine(&mut self, lower: u32, upper: u32) {
         if lower == NIL || upper == NIL || self.clash.is_some() {

@@ -1,4 +1,5 @@
-//! Divided work: among the threads of the current pool with the feature `rayon`, otherwise on one. Results are equal.
+//! Divided work: among the threads of the current pool with the feature `rayon`, otherwise on one. The result is bit-for-bit
+//! equal.
 
 use core::cmp::Ordering;
 #[cfg(debug_assertions)]

@@ -316,7 +316,6 @@ impl PlanarMap {
         attributes.announce(&[(Kind::Other, step)]).map_err(OperatorError::Refused)
     }
 
-    /// Gives a new feature its values.
     pub(super) fn give_made_feature(&mut self, feature: FeatureId) {
         // A feature is added even if all ids are used up.
         if let (Ok(()), Some(attributes)) = (self.announce_feature(Step::Make), self.dcel.attributes_mut()) {

@@ -15,7 +15,8 @@ use twinedge_certificate::{Column, Drawing, Labels};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, thiserror::Error)]
 #[non_exhaustive]
 pub enum DrawingError {
-    /// No grid contains all coordinates: they are not finite, or too large as multiples of a power of two. Snap them.
+    /// No grid contains all coordinates: they are not finite, or too large as multiples of a power of two. Snapping to a grid
+    /// helps.
     #[error("the coordinates are on no grid on which they are at most 2^51 steps")]
     NoGrid,
     /// An edge has bends.
@@ -130,7 +131,6 @@ struct Darts {
     ahead: Vec<u32>,
     face: Vec<u32>,
     rank: Vec<u32>,
-    /// One dart by half-edge, vertex and face.
     of_half_edge: Vec<u32>,
     of_vertex: Vec<u32>,
     of_face: Vec<u32>,
@@ -258,7 +258,6 @@ impl Darts {
         }
     }
 
-    /// Fills a face, starting at one of its darts.
     fn fill(&mut self, from: usize, face: usize, rank: &mut u32) {
         if let Some(of_face) = self.of_face.get_mut(face) {
             *of_face = from as u32;

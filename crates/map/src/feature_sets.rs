@@ -62,7 +62,6 @@ impl FeatureSets {
         self.sets.combined(SetOperation::Either, a, b)
     }
 
-    /// Returns the symmetric difference.
     pub(super) fn differing(&mut self, a: SetId, b: SetId) -> SetId {
         self.sets.combined(SetOperation::Differing, a, b)
     }

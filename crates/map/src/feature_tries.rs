@@ -29,7 +29,6 @@ enum Node {
         /// One bit for each of the 64 features; 0 only in the empty set.
         bits: u64,
     },
-    /// Neither side is empty.
     Branch {
         prefix: u32,
         /// The bit in which the features of the two sides differ.
@@ -69,7 +68,6 @@ pub(super) enum SetOperation {
     Differing,
 }
 
-/// All sets that have occurred.
 #[derive(Clone, Debug)]
 pub(super) struct FeatureTries {
     /// Indexed by the number of the set.

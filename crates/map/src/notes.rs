@@ -16,7 +16,6 @@ impl Notes {
         }
     }
 
-    /// Turns the log on and clears it.
     pub(super) fn begin(&mut self) {
         self.0 = Some(Vec::new());
     }
@@ -59,7 +58,6 @@ pub enum MapEntry {
 }
 
 impl MapEntry {
-    /// Returns the vertex whose point was overwritten.
     pub(super) const fn vertex(&self) -> Option<usize> {
         if let Self::Point(v, _) = self { Some(*v as usize) } else { None }
     }

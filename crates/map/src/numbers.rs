@@ -1,6 +1,5 @@
 //! 32-bit slot numbers in columns: nil, disjoint sets, the cycles of a permutation.
 
-/// Nil in a column.
 pub(crate) const NIL: u32 = u32::MAX;
 
 /// Allocates `n` copies of `value`; `None` if memory runs out.
@@ -11,7 +10,8 @@ pub(crate) fn column<T: Clone>(n: usize, value: T) -> Option<Vec<T>> {
     Some(column)
 }
 
-/// Disjoint sets of the numbers below a count. n calls take O(n α(n)), with the inverse α of Ackermann's function.
+/// Disjoint sets of the numbers below a count; larger numbers are in no set. n calls take O(n α(n)), with the inverse α of
+/// Ackermann's function.
 pub(crate) struct Sets {
     /// Another member of the same set, or the number itself for the representative of the set.
     towards: Vec<u32>,

@@ -16,8 +16,9 @@ use twinedge_geometry::noding::NodingSummary;
 
 /// A planar subdivision with coordinates: a [`Dcel`] whose edges are straight segments, and the features that cover its faces.
 ///
-/// [`Builder`](super::Builder) makes one at once, [edits](super::edit) change [`PlanarMap::new`], and [`PlanarMap::from_view`]
-/// converts an existing structure. [`PlanarMap::dcel`] returns the topology; coordinates and features are read by key.
+/// [`Builder`](super::Builder) makes one at once, [edits](super::edit) change one step by step from [`PlanarMap::new`], and
+/// [`PlanarMap::from_view`] converts an existing structure. [`PlanarMap::dcel`] returns the topology; coordinates and features
+/// are read by key.
 ///
 /// ```text
 ///   ┌──────────┐ ┌──────┐    dcel      vertices, half-edges, faces and what lies in what
@@ -307,7 +308,8 @@ impl PlanarMap {
         self.not_plane.map_or(Ok(()), Err)
     }
 
-    /// Checks every rule, R1 … T4 and G1 … G5. O(n log n) for a plane map; plus the pairs of edges whose boxes meet.
+    /// Checks every rule, R1 … T4 and G1 … G5. O(n log n) for a plane map; otherwise plus the number of pairs of edges whose
+    /// boxes meet.
     ///
     /// Useful in tests, and for maps of crossing segments ([`is_plane`](Self::is_plane)): edits break no rule.
     ///

@@ -86,7 +86,6 @@ impl PlanarMap {
         }
     }
 
-    /// Turns all logs on, of links and of other data.
     pub(super) fn begin_logs(&mut self) {
         self.note(true);
         self.dcel.begin_log();

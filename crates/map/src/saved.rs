@@ -49,7 +49,6 @@ pub struct Certified<'m> {
     drawing: Drawing,
 }
 
-/// An error in the saved form of a map.
 #[derive(Debug, Error)]
 enum LoadError {
     #[error("form {0} of a map is not known")]

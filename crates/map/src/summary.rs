@@ -113,7 +113,6 @@ impl BuildSummary {
     /// The greatest number of listed irregularities of each kind.
     pub const LISTED: usize = 20;
 
-    /// Lists an irregularity, the `count`-th of its kind.
     pub(super) fn list(&mut self, count: usize, kind: IrregularityKind, position: Position, at: Point) {
         if count <= Self::LISTED {
             self.irregularities.push(Irregularity { kind, position, at });

@@ -71,7 +71,6 @@ enum Places {
     One(Position),
 }
 
-/// Turns −0 into 0.
 fn unsigned_zero(x: f64) -> f64 {
     x + 0.0
 }

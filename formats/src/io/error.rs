@@ -6,7 +6,8 @@ use core::fmt;
 use std::io;
 use thiserror::Error;
 
-/// The greatest number of geometry collections that a reader accepts around a geometry, to limit the stack.
+/// The greatest number of geometry collections that a reader accepts around a geometry, to limit the stack. RFC 7946 advises
+/// against nesting them.
 pub const MAX_NESTED_COLLECTIONS: usize = 32;
 
 /// A place in a text.
@@ -175,7 +176,8 @@ pub enum ReadCause {
         /// The number of numbers in it.
         numbers: usize,
     },
-    /// A geometry inside more than [`MAX_NESTED_COLLECTIONS`] geometry collections; in JSON also about 128 arrays or objects.
+    /// A geometry inside more than [`MAX_NESTED_COLLECTIONS`] geometry collections; in JSON also arrays and objects nested more
+    /// than about 128 deep.
     #[error("nested too deep")]
     TooDeep,
     /// The first bytes belong to a known format that is not supported.

@@ -41,7 +41,6 @@ const fn row(format: Format, name: &'static str, extensions: &'static [&'static 
     Row { format, name, extensions, feature }
 }
 
-/// The registry, in the order of the variants.
 const ROWS: [Row; Format::ALL.len()] = [
     row(Format::GeoJson, "GeoJSON", &["geojson"], "geojson"),
     row(
@@ -136,7 +135,8 @@ impl Format {
         }
     }
 
-    /// Returns the format of a file, by its content and its name. Several GeoJSON objects are always newline-delimited.
+    /// Returns the format of a file, by its content and its name. Content of several GeoJSON objects is newline-delimited,
+    /// whatever the extension.
     ///
     /// ```
     /// use twinedge_formats::io::Format;
@@ -192,7 +192,8 @@ pub(super) fn is_sqlite(head: &[u8]) -> bool {
     head.starts_with(b"SQLite format 3\0")
 }
 
-/// Returns true if a database has an application id of `GeoPackage` (from version 1.0, 1.1, or later), or such a table.
+/// Returns true if a database has an application id of `GeoPackage` (of version 1.0, 1.1, or later), or the table that every
+/// `GeoPackage` has.
 pub(super) fn is_geopackage(head: &[u8]) -> bool {
     const TABLE: &[u8] = b"gpkg_contents";
     matches!(head.get(68..72), Some(b"GPKG" | b"GP10" | b"GP11")) || head.windows(TABLE.len()).any(|word| word == TABLE)

@@ -6,8 +6,9 @@
 //! | `wkt` | well-known text, a geometry per line | yes | yes |
 //!
 //! Readers pass [`Feature`](twinedge_map::Feature)s to a [`Builder`](twinedge_map::Builder). `read` takes any of the text
-//! formats, by the extension of the file or by its content; all readers return the same `ReadError`, and count drops in the same
-//! `ReadSummary`. Writers take features; [`features`] and [`faces`] make features from a map. `twinedge-formats` draws pictures.
+//! formats, by the extension of the file or by its content; all readers return the same `ReadError`, and count dropped parts in
+//! the same `ReadSummary`. Writers take features; [`features`] and [`faces`] make features from a map. `twinedge-formats` draws
+//! pictures.
 
 mod export;
 pub mod geojson;

@@ -8,7 +8,6 @@ use super::summary::ReadSummary;
 use std::io::{Cursor, Read};
 use twinedge_map::Feature;
 
-/// The number of bytes examined to detect the format.
 const HEAD: u64 = 1 << 16;
 
 /// Reads a map, passing its features to `each` in the order of the file.

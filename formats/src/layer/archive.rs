@@ -141,7 +141,6 @@ const fn room(size: u64) -> u64 {
 
 struct Target<'a> {
     place: Place<'a>,
-    /// The remaining number of bytes.
     room: Cell<u64>,
 }
 

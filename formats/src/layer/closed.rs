@@ -3,7 +3,8 @@
 use super::model::{Geometry, Layer, Line, Shape};
 use std::borrow::Cow;
 
-/// Returns the layer with all rings closed, repeating the first position of open ones. O(positions); copies only open rings.
+/// Returns the layer with all rings closed, repeating the first position of open ones. O(positions), with a copy if a ring is
+/// open.
 pub(super) fn closed(layer: &Layer) -> Cow<'_, Layer> {
     let mut layer = Cow::Borrowed(layer);
     if open_rings(&layer) > 0 {

@@ -56,7 +56,8 @@ impl Crs {
         Self { member: Some(member), ..code.map_or_else(Self::default, Self::epsg) }
     }
 
-    /// Creates the system of a well-known text, with its number if the text equals Esri's definition of an EPSG system.
+    /// Creates the system of a definition in well-known text, with its number if the text equals Esri's definition of an EPSG
+    /// system.
     #[must_use]
     pub fn of_wkt(wkt: String) -> Self {
         let code = epsg::code(&wkt);

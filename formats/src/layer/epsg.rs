@@ -1,6 +1,7 @@
 //! Reference systems of the EPSG, in Esri's definitions for `.prj`, and in PROJJSON.
 //!
-//! Source: the EPSG Geodetic Parameter Dataset (IOGP, <https://epsg.org>), by PROJ; see `data/esri_wkt.py`, `data/projjson.py`.
+//! Source: the EPSG Geodetic Parameter Dataset (IOGP, <https://epsg.org>), written by PROJ; see `data/esri_wkt.py`,
+//! `data/projjson.py`.
 
 #[cfg(feature = "epsg")]
 use flate2::read::GzDecoder;
@@ -62,7 +63,6 @@ pub(super) fn code(wanted: &str) -> Option<i64> {
 
 /// Returns true if two definitions are equal up to the last digits of numbers.
 fn is_like(one: &str, other: &str) -> bool {
-    /// The relative tolerance of numbers.
     const DIGITS: f64 = 1e-9;
     const ENDS: [char; 3] = [',', '[', ']'];
     let is_same = |(a, b): (&str, &str)| {

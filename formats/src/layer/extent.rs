@@ -27,7 +27,6 @@ impl Extent {
         self.low.x <= self.high.x && self.low.y <= self.high.y
     }
 
-    /// Returns true if its contents may meet a window.
     pub(super) fn may_meet(&self, window: &Self) -> bool {
         let is_apart = self.high.x < window.low.x
             || window.high.x < self.low.x
@@ -40,13 +39,11 @@ impl Extent {
         self.low.x <= x && x <= self.high.x && self.low.y <= y && y <= self.high.y
     }
 
-    /// Refuses an inner box that reaches out of it.
     pub(super) fn check(&self, inner: &Self) -> Result<(), Cause> {
         let is_inside = self.holds(inner.low.x, inner.low.y) && self.holds(inner.high.x, inner.high.y);
         if self.is_known() && inner.is_known() && !is_inside { Err(Cause::OutOfBox) } else { Ok(()) }
     }
 
-    /// Refuses an inner geometry that reaches out of it.
     pub(super) fn check_geometry(&self, geometry: &Geometry) -> Result<(), Cause> {
         let mut is_inside = true;
         geometry.shape.visit(&mut |p| is_inside &= self.holds(p.x, p.y));

@@ -19,7 +19,6 @@ use std::cell::{Cell, RefCell};
 use std::cmp::Ordering;
 use std::io::{self, Cursor, ErrorKind, Read};
 
-/// The number of bytes read at once.
 const CHUNK: usize = 1 << 16;
 
 /// From this depth on, the library decides.
@@ -57,7 +56,6 @@ struct Cutter<'r, F> {
     /// Takes a feature, and returns true to continue.
     take: F,
     chunk: Vec<u8>,
-    /// The position in the chunk.
     at: usize,
     scan: Scan,
     is_over: bool,
@@ -69,7 +67,6 @@ struct Cutter<'r, F> {
     seen_next: Cursor<Vec<u8>>,
     /// The error of the reader, reported after everything before it.
     error: Option<io::Error>,
-    /// The number of cut features.
     count: usize,
     has_marker: bool,
     /// True until the library has passed on the marker.

@@ -223,7 +223,6 @@ impl GeoJsonFile {
         }
     }
 
-    /// Reads a feature in its current state.
     fn now(&mut self, number: usize) -> Result<Feature, FileError> {
         let text = self.text_now(number)?;
         one(&text).ok_or(FileError::Moved(number))
@@ -270,7 +269,6 @@ fn text(file: &mut File, place: &Range<u64>) -> Result<String, FileError> {
     Ok(String::from_utf8(bytes).map_err(io::Error::other)?)
 }
 
-/// Parses a text as a single feature.
 fn one(text: &str) -> Option<Feature> {
     let mut found = Vec::new();
     let read = geojson::read(&mut text.as_bytes(), Documents::One, &mut |feature| {

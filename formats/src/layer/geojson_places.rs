@@ -45,7 +45,6 @@ pub(super) fn places(mut text: impl BufRead) -> io::Result<Places> {
 }
 
 impl Places {
-    /// Records the range of a closed value.
     fn close(&mut self, scan: &Scan, place: Option<Range<u64>>) {
         match (scan.depth, place) {
             (2, Some(place)) if scan.features == Array::Inside => self.features.push(place),

@@ -5,7 +5,6 @@
 /// The length of the longest searched name.
 const LONGEST: usize = b"features".len();
 
-/// The position relative to strings.
 #[derive(Clone, Copy, Default, PartialEq)]
 enum Text {
     #[default]
@@ -23,7 +22,6 @@ pub(super) enum Array {
     Behind,
 }
 
-/// The effect of a byte.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Turn {
     Opens,
@@ -31,10 +29,8 @@ pub(super) enum Turn {
     Neither,
 }
 
-/// The state between two bytes.
 #[derive(Default)]
 pub(super) struct Scan {
-    /// The number of open objects and arrays.
     pub(super) depth: usize,
     pub(super) features: Array,
     /// The name of the current member of the outermost object, up to the longest searched name.

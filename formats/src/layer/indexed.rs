@@ -5,7 +5,6 @@ use super::error::ReadError;
 use super::extent::Extent;
 use super::model::Header;
 use super::read::{ReadOptions, beginning, format_of};
-use crate::io::Format;
 use std::fs::File;
 use std::path::Path;
 use twinedge_geometry::Point;
@@ -90,9 +89,13 @@ impl Indexed {
         let head = beginning(&mut File::open(path)?)?;
         let file: Option<Box<dyn Windows + Send>> = match format_of(&head, Some(path), options) {
             #[cfg(feature = "flatgeobuf")]
-            Ok(Format::FlatGeobuf) => super::flatgeobuf::IndexedFile::open(path)?.map(|file| Box::new(file) as _),
+            Ok(crate::io::Format::FlatGeobuf) => {
+                super::flatgeobuf::IndexedFile::open(path)?.map(|file| Box::new(file) as _)
+            }
             #[cfg(feature = "geoparquet")]
-            Ok(Format::GeoParquet) => super::geoparquet::IndexedFile::open(path)?.map(|file| Box::new(file) as _),
+            Ok(crate::io::Format::GeoParquet) => {
+                super::geoparquet::IndexedFile::open(path)?.map(|file| Box::new(file) as _)
+            }
             // Faults of other files are found when they are read as a whole.
             _ => None,
         };

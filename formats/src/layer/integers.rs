@@ -1,6 +1,6 @@
 //! Tables of integers in Parquet, without compression: 64-bit integers as differences (`DELTA_BINARY_PACKED`), which makes links small.
 
-use super::{Format, WriteError};
+use super::WriteError;
 use std::path::Path;
 
 /// A column of a table of integers, from the first row to the last.
@@ -34,7 +34,7 @@ pub fn write_integers(
     #[cfg(not(feature = "geoparquet"))]
     {
         let _ = (path, name, columns, metadata);
-        Err(WriteError::FeatureOff(Format::GeoParquet))
+        Err(WriteError::FeatureOff(super::Format::GeoParquet))
     }
 }
 

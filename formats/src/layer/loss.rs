@@ -61,7 +61,8 @@ pub enum Loss {
 }
 
 impl Loss {
-    /// Returns true if only the form is lost: a value's type, null for an absent one, the name of the layer, an open ring.
+    /// Returns true if only the form is lost: another type of a value, null for an absent one, the name of the layer, an open
+    /// ring that is closed.
     #[must_use]
     pub const fn is_minor(&self) -> bool {
         matches!(

@@ -9,7 +9,8 @@ use std::collections::BTreeSet;
 /// Returns the losses of writing the layer in this format. O(size of the layer).
 ///
 /// A change of form is no loss: the order of the rings of a Shapefile, a multi-polygon of one polygon that becomes a polygon
-/// there, a polygon with heights among multi-polygons that becomes one of these in `FlatGeobuf`, or a number of digits.
+/// there, a polygon with heights among multi-polygons that becomes one of these in `FlatGeobuf`, or the number of digits of a
+/// number.
 ///
 /// ```
 /// use twinedge_formats::layer::{Feature, Format, Id, Layer, Loss, losses};

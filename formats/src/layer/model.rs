@@ -67,7 +67,8 @@ pub struct Geometry {
     pub dimensions: Dimensions,
     /// The positions.
     pub shape: Shape,
-    /// Further members of its object in GeoJSON, including `bbox`. In TopoJSON, a feature has its outermost geometry's.
+    /// Further members of its object in GeoJSON, including `bbox`. In TopoJSON, a feature has the members of its outermost
+    /// geometry.
     pub members: Members,
 }
 
@@ -387,7 +388,8 @@ impl Layer {
     }
 
     /// Returns the columns: those of the header, followed by further columns of features, in order. The type of a column outside
-    /// the header is the type of its values, or text if they differ; integers among numbers are numbers. Expected O(attributes).
+    /// the header is the type of its values, or text if they differ; integers and other numbers together are numbers. Expected
+    /// O(attributes).
     #[must_use]
     pub fn fields(&self) -> Vec<Field> {
         let mut fields = self.header.fields.clone();

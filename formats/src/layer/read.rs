@@ -24,9 +24,11 @@ pub struct ReadOptions {
     pub files: Option<Arc<Files>>,
 }
 
-/// Reads a layer and passes on its features in the order of the file. Several files are read from `path`, one from `reader`.
+/// Reads a layer and passes on its features in the order of the file. A format with several files is read from `path`, any other
+/// from `reader`.
 ///
-/// Features are passed on as they are read, before any error. Memory O(largest feature), plus the index of a Shapefile.
+/// Features are passed on as they are read, so an error may follow some of them. Memory O(largest feature), plus the index of a
+/// Shapefile.
 ///
 /// # Errors
 /// [`ReadError`], and any error that `each` returns.

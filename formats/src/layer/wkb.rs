@@ -2,7 +2,8 @@
 //!
 //! Counts are trusted only as far as the data can hold them.
 //!
-//! Sources: "Simple feature access, part 1: common architecture" (OGC 06-103r4), section 8; for the extended form, PostGIS.
+//! Sources: "Simple feature access, part 1: common architecture" (OGC 06-103r4), section 8; the documentation of PostGIS for the
+//! extended form.
 
 use super::crs::Crs;
 use super::each::Each;

@@ -11,7 +11,6 @@ use ::wkt::Wkt;
 use ::wkt::types::{Coord, Dimension, LineString, Polygon};
 use std::io::{self, Read, Write};
 
-/// Reads a feature per line.
 pub(super) fn read(reader: &mut dyn Read, each: &mut Each<'_>) -> Result<Header, ReadError> {
     let mut header = Header::default();
     read_geometries(reader, |line| {

@@ -38,7 +38,8 @@ pub struct MeshAudit {
 /// rules M1 … M8. If some faces cannot be joined, some of these rules cannot be checked, and the report says so.
 ///
 /// `collect` limits the findings of each kind, and the violations, that are kept. All are counted; violations as [`Collect`]
-/// says. Time and memory are linear in points and corners (expected, up to the inverse of Ackermann's function), for any mesh.
+/// says. Time and memory are linear in points and corners (expected, up to the inverse of Ackermann's function). It accepts every
+/// mesh.
 ///
 /// ```
 /// use twinedge::validate::Collect;
@@ -159,7 +160,6 @@ impl MeshAudit {
         self.edges_not_joined() + self.findings.count(Kind::NonManifoldVertex)
     }
 
-    /// Returns the number of edges with several faces that are not joined there.
     fn edges_not_joined(&self) -> usize {
         self.findings.count(Kind::NonManifoldEdge) + self.findings.count(Kind::FlippedFaces)
     }

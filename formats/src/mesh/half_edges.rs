@@ -7,7 +7,8 @@ use twinedge_map::Embedding;
 
 pub(super) const NIL: u32 = u32::MAX;
 
-/// The half-edges of an [`IndexedMesh`]: one for each corner, with its number, from its vertex to the next one of the face.
+/// The half-edges of an [`IndexedMesh`]: one for each corner, with the corner's number, from its vertex to the next one of the
+/// face.
 ///
 /// Faces that are degenerate or repeat others are left out: their slots are vacant. Where an edge cannot be joined (three faces,
 /// flipped faces), its half-edges have no twin. The mesh is borrowed: this adds 8 bytes per corner, 4 per vertex and 1 per face.
@@ -20,7 +21,6 @@ pub struct HalfEdgeMesh<'a> {
     /// The face of each corner; nil if it is left out.
     pub(super) face_of: Vec<u32>,
     pub(super) twins: Vec<u32>,
-    /// A half-edge that leaves each vertex.
     pub(super) leaving: Vec<u32>,
     pub(super) left_out: Vec<bool>,
     pub(super) edges: usize,

@@ -30,7 +30,8 @@ struct Side {
 impl<'a> HalfEdgeMesh<'a> {
     /// Joins the faces of a mesh to half-edges and reports the parts that cannot be joined.
     ///
-    /// Of faces that repeat each other, the first is kept. Of two back to back, the order therefore decides which one must fit.
+    /// Of faces that repeat each other, the first is kept. If two are back to back, their order therefore decides whether the
+    /// remaining one fits its neighbours.
     ///
     /// `collect` limits the findings of each kind that are kept; all are counted. Time and memory are linear in points and
     /// corners (expected, since a hash table is used, and up to the inverse of Ackermann's function). It accepts every mesh.
@@ -183,7 +184,6 @@ impl<'a> HalfEdgeMesh<'a> {
         }
     }
 
-    /// Finds unused vertices, and those where several fans meet.
     fn check_vertices(&self, degrees: &[u32], findings: &mut Findings) {
         let mut suspects = Vec::new();
         for (vertex, degree) in degrees.iter().enumerate() {

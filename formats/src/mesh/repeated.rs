@@ -1,7 +1,7 @@
 //! Faces with the vertices of an earlier face, in the same order or the opposite one.
 //!
-//! Only faces with the same smallest vertex are compared: few in pairs, many by a hash table with random keys, so no file is
-//! slow.
+//! Only faces with the same smallest vertex are compared: few in pairs, many by a hash table with random keys, so that no file
+//! can slow it down.
 
 use super::{Finding, Findings, IndexedMesh, Kind};
 use std::collections::HashMap;

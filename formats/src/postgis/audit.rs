@@ -108,7 +108,6 @@ fn own(topology: &Topology, finding: &Finding) -> Diagnosis {
     placed(finding.into(), place(topology, finding), line.into_iter().collect())
 }
 
-/// Returns the same diagnoses with SQL statements.
 fn with_sql(topology: &Topology, rules: &[RuleLine], found: Vec<(Fault, Diagnosis)>) -> Vec<Diagnosis> {
     let lines = Lines::of(topology);
     let mender = Mender::of(topology, &lines, rules);

@@ -10,7 +10,6 @@ const CRITICAL: u32 = 0xffff_0000;
 /// The number of bytes of foreign content that are shown.
 const SHOWN: usize = 24;
 
-/// The streams, and the position of the reader.
 pub(super) struct CopyReader<R> {
     input: R,
     byte: u64,
@@ -32,7 +31,6 @@ impl<R: BufRead> CopyReader<R> {
         self.place.row
     }
 
-    /// Reads the header of the stream of a table.
     pub(super) fn begin(&mut self, table: TableName) -> Result<(), ReadError> {
         self.place = Place { table, row: 0, column: None };
         self.take(SIGNATURE.len() as u64)?;
@@ -98,7 +96,6 @@ impl<R: BufRead> CopyReader<R> {
         }
     }
 
-    /// Checks that nothing follows.
     pub(super) fn end(&mut self) -> Result<(), ReadError> {
         if self.input.fill_buf()?.is_empty() { Ok(()) } else { Err(self.error(Cause::Trailing)) }
     }

@@ -19,7 +19,6 @@ pub(super) enum Geometry<'a> {
     Other(u32),
 }
 
-/// Points as stored in the value.
 #[derive(Clone, Copy)]
 pub(super) struct Points<'a> {
     bytes: &'a [u8],

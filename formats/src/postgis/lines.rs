@@ -1,6 +1,7 @@
 //! The lines of a topology alone: they can be judged despite broken links.
 //!
-//! A line ends at the node that its edge names, if it lies there, or else at any node at that point. Else it has no node.
+//! A line ends at the node that its edge names, if it lies there, or else at any node at that point. Otherwise the end is a
+//! vertex without node.
 
 use super::topology::Topology;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
@@ -16,7 +17,6 @@ pub(super) struct Lines<'a> {
     without_node: Vec<(Point, usize)>,
     /// The vertices at both ends of each line.
     ends: Vec<[u32; 2]>,
-    /// The vertices and the edges that are judged.
     is_vertex: Vec<bool>,
     is_line: Vec<bool>,
 }
@@ -79,7 +79,7 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// Judges G1, and G4 for the parts that pass G1. O(n log n) for n points, plus O(p) for p pairs of boxes, if lines clash.
+    /// Judges G1, and G4 for the parts that pass G1. O(n log n) for n points, plus O(p) for p overlapping boxes, if lines clash.
     pub(super) fn judge(&mut self, collect: Collect) -> Drawing {
         let edges = |lines: &Self| lines.is_line.iter().filter(|is_line| **is_line).count() as u64;
         let nodes = self.is_vertex.iter().take(self.topology.nodes.len());
@@ -102,7 +102,6 @@ impl<'a> Lines<'a> {
         Drawing { violations, finite, disjoint }
     }
 
-    /// Drops the parts that break G1.
     fn drop_unsound(&mut self) {
         for vertex in 0..self.is_vertex.len() {
             self.is_vertex[vertex] &= in_range(self.point(vertex));

@@ -3,7 +3,6 @@
 use super::ewkb::{Geometry, Points};
 use twinedge_geometry::Point;
 
-/// A box along the axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Box2 {
     pub(super) low: Point,
@@ -28,7 +27,6 @@ impl Box2 {
     }
 }
 
-/// The value of the column `mbr` of a face.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Mbr {
     Null,

@@ -17,7 +17,6 @@ use twinedge::validate::{Field, Record, View, Violation};
 /// Cycles with more half-edges are not relabelled.
 const LONGEST: usize = 10_000;
 
-/// The topology with its lines, and its broken rules.
 pub(super) struct Mender<'a> {
     topology: &'a Topology,
     lines: &'a Lines<'a>,
@@ -208,7 +207,6 @@ impl<'a> Mender<'a> {
         Some(set_edge(edge, &format!("{} = {face}", SIDE[half_edge % 2].name())))
     }
 
-    /// Moves a hole or an isolated node to another face.
     fn relabel(&self, boundary: Record, face: usize) -> Vec<String> {
         let topology = self.topology;
         let Some(face) = topology.faces.id(face) else { return Vec::new() };

@@ -11,7 +11,7 @@
 //!
 //! [`sql`] prints the commands for `psql` to write nodes, faces and edges as they are, in one read-only transaction. [`read`]
 //! takes that output, and [`audit`] lets the validator judge the stored links: rules R1 … T4 and G1 … G5, with the ids of the
-//! database. Further rules are those that only such a database can break:
+//! database. Only such a database can break the further rules:
 //!
 //! | id | rule |
 //! | --- | --- |

@@ -39,12 +39,10 @@ pub fn read(input: impl BufRead, limit: usize) -> Result<Topology, ReadError> {
     Ok(read.finish())
 }
 
-/// The tables read up to this point.
 struct Reading {
     topology: Topology,
     /// Nodes with their containing face, if it is not null.
     containing: Vec<(u32, i64)>,
-    /// The reference system of the first geometry.
     srid: Option<u32>,
 }
 

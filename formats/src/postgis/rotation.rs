@@ -34,7 +34,6 @@ impl<'a> Rotations<'a> {
         Self { lines, begin, leaving }
     }
 
-    /// The half-edges that leave a vertex.
     fn leaving(&self, vertex: usize) -> impl Iterator<Item = usize> + '_ {
         let bound = |vertex: usize| self.begin.get(vertex).map_or(self.leaving.len(), |place| *place as usize);
         self.leaving[bound(vertex)..bound(vertex + 1)].iter().map(|h| *h as usize)

@@ -3,7 +3,7 @@
 /// Returns commands for `psql` that write the nodes, faces and edges of a topology to standard output, as binary COPY streams.
 ///
 /// They run in one read-only transaction, on one snapshot, unharmed by edits. They need the right to SELECT from the tables, and
-/// runs on replicas. At the first error `psql` stops, and the stream ends early, which [`read`](super::read) reports.
+/// run on replicas. At the first error `psql` stops, and the stream ends early, which [`read`](super::read) reports.
 ///
 /// The name is quoted, so any name is allowed.
 ///

@@ -30,7 +30,6 @@ pub struct Topology {
     pub(super) faces: Ids,
     pub(super) face_has_edges: Vec<bool>,
     pub(super) mbrs: Vec<Mbr>,
-    /// The box around the edges that name each face.
     pub(super) boxes: Vec<Box2>,
     pub(super) edges: Ids,
     /// Start and end node of each edge, left and right next half-edge, left and right face.
@@ -135,7 +134,6 @@ impl Topology {
         [start].into_iter().chain(bends).chain([end]).collect()
     }
 
-    /// Returns the isolated nodes that a face contains.
     pub(super) fn contained(&self, face: usize) -> &[(u32, u32)] {
         let before = |face: usize| self.contained.partition_point(|(f, _)| (*f as usize) < face);
         &self.contained[before(face)..before(face.saturating_add(1))]

@@ -23,7 +23,6 @@ const STYLE: &str = "\
 .rule{fill:#dc2626;font-size:11px;font-weight:bold}.legend{fill:#b91c1c;font-size:11px}\
 .halo{stroke:#fff;stroke-width:3px;stroke-opacity:.85;stroke-linejoin:round}";
 
-/// Patterns and the heads of arrows.
 const DEFINITIONS: &str = "<defs>\
 <pattern id=\"hatch\" width=\"5\" height=\"5\" patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(45)\">\
 <path d=\"M0 0V5\" stroke=\"#111\" stroke-width=\"1.6\" stroke-opacity=\".6\"/></pattern>\n\

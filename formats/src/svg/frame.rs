@@ -41,7 +41,6 @@ impl Frame {
         [0, 1].map(|i| from[i] * self.scale + (self.size[i] - sides[i] * self.scale) / 2.0)
     }
 
-    /// Returns true if the box around these points meets the panel.
     pub(super) fn shows(&self, points: impl IntoIterator<Item = Point>) -> bool {
         Bounds::around(points).meets(&self.bounds)
     }
@@ -54,7 +53,6 @@ impl Frame {
 /// The smallest size of a window: even the smallest coordinates that differ only in the last bit are further apart.
 const SMALLEST_WINDOW: f64 = 1e-140;
 
-/// The box around some points.
 #[derive(Clone, Copy)]
 pub(super) struct Bounds {
     pub(super) low: Point,

@@ -5,7 +5,6 @@ use twinedge::dcel::Face;
 use twinedge_geometry::Point;
 use twinedge_map::PlanarMap;
 
-/// A horizontal stretch inside a face.
 pub(super) struct LabelSpot {
     pub(super) middle: [f64; 2],
     pub(super) width: f64,
@@ -33,7 +32,6 @@ pub(super) fn widest_within(frame: &Frame, rings: &[Vec<Point>]) -> Option<Label
     widest_between(largest, &rings.concat())
 }
 
-/// A side of an outline, in pixels.
 type Side = [[f64; 2]; 2];
 
 fn heights(sides: &[Side]) -> [f64; 2] {

@@ -21,12 +21,10 @@ const STRIP: f64 = 0.1;
 /// Insets are used if everything would be drawn smaller by this factor without them.
 const GAIN: f64 = 1.5;
 const INSETS: usize = 6;
-/// The largest depth of the splitting.
 const DEPTH: usize = 8;
 /// The width of an inset, and its height as a fraction of the width.
 const WIDTH: f64 = 200.0;
 const HEIGHT: f64 = 0.75;
-/// The space around insets.
 pub(super) const SPACE: f64 = 12.0;
 
 pub(super) struct Layout {

@@ -10,7 +10,8 @@ const WIDTH: f64 = 0.6;
 const COVERED: f64 = 0.08;
 const THINNEST: f64 = 0.05;
 
-/// Draws every edge once, with one stroke through vertices of degree 2, and isolated vertices. More lines are thinner.
+/// Draws every edge once, with one stroke through vertices of degree 2, and isolated vertices. The more lines, the thinner they
+/// are.
 pub(super) fn draw(out: &mut String, map: &PlanarMap, frame: &Frame) {
     let slots = map.dcel().half_edges().map(HalfEdge::index).max().map_or(0, |last| last + 1);
     let mut drawn = vec![false; slots];

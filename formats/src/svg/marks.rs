@@ -13,7 +13,6 @@ const MOVES: usize = 12;
 /// The largest number of rows of the legend; `ROW` is the height of each.
 const ROWS: usize = 40;
 const ROW: f64 = 16.0;
-/// The width of a letter in the legend.
 const LETTER: f64 = 5.8;
 
 /// Marks each violation in the panel: its edges, a circle around the place, and its number next to it. O(v²) for v violations.

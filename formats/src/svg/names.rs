@@ -71,7 +71,6 @@ pub(super) fn draw(out: &mut String, map: &PlanarMap, frame: &Frame, outlines: &
     }
 }
 
-/// The place of a name.
 struct Area {
     middle: [f64; 2],
     width: f64,

@@ -12,7 +12,8 @@ pub struct Options<'a> {
     pub detail: bool,
     /// Two opposite corners of the part to draw. Without a window, or for one without area, everything is drawn.
     pub window: Option<[Point; 2]>,
-    /// True to draw distant parts in insets, if everything would be small otherwise. Windows and details have none.
+    /// True to draw distant parts in insets, if everything would be small otherwise. A picture of a window, or in detail, has
+    /// none.
     pub insets: bool,
     /// The violations to mark, and to list below the map.
     pub violations: &'a [Violation],

@@ -19,7 +19,7 @@ pub(super) fn outlines(map: &PlanarMap) -> Vec<Vec<Vec<Point>>> {
 /// The edges at each vertex, with the vertex at the other end.
 type Around = BTreeMap<usize, Vec<(usize, usize)>>;
 
-/// Returns closed walks that use each of these edges once, except those that a ring follows in both directions.
+/// Returns closed walks that use each of these edges once, except edges that a ring follows in both directions.
 fn closed(map: &PlanarMap, edges: &[HalfEdge<'_>]) -> Vec<Vec<Point>> {
     let mut at = Around::new();
     for (i, edge) in edges.iter().enumerate() {

@@ -194,7 +194,6 @@ impl Exchange {
     }
 }
 
-/// Returns all pairs of this many.
 fn pairs(n: usize) -> impl Iterator<Item = [usize; 2]> {
     (0..n).flat_map(move |i| (i + 1..n).map(move |j| [i, j]))
 }
@@ -416,7 +415,8 @@ fn label_cycles(table: &mut Table, parts: Parts) -> Option<()> {
     gone.iter().rev().try_for_each(|entry| unlist(table, *entry, true))
 }
 
-/// Removes an entry from the list of its face, or the face for the outer one, and optionally its record. `None` with holes.
+/// Removes an entry from the list of its face, or the face for the outer one, and optionally its record. `None` if a face with
+/// holes would be removed.
 fn unlist(table: &mut Table, entry: Entry, with_record: bool) -> Option<()> {
     match entry.place {
         BoundaryPlace::Outer if table.inner_count(entry.face) > 0 => return None,

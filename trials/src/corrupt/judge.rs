@@ -21,14 +21,12 @@ pub(super) struct Judgement {
     /// The number of maps with all single corruptions judged, in all forms.
     pub(super) maps: usize,
     pub(super) fields: BTreeMap<(Family, &'static str), Tally>,
-    /// All pairs of corruptions of the smallest maps.
     pub(super) small_pairs: Tally,
     pub(super) pairs: Tally,
     /// For each rule, the number of tables that break it first, by the reference.
     pub(super) first_broken: BTreeMap<Rule, u64>,
-    /// The same by the number of the expectation, for the tables in every form. `None` counts the valid ones.
+    /// For each expectation and rule, this number for the tables in every form. `None` counts the valid ones.
     pub(super) by_expectation: BTreeMap<(usize, Option<Rule>), u64>,
-    /// Validations that took very long.
     pub(super) hung: u64,
     pub(super) panics: u64,
     pub(super) findings: Vec<String>,

@@ -46,7 +46,6 @@ use twinedge::program::Subject;
 use twinedge::validate::Rule;
 use watch::Watch;
 
-/// The number of pairs in one piece of the work.
 const PAIRS_OF_A_PIECE: u32 = 1000;
 
 /// Maps, each in all its forms, and the reasons for missing ones.

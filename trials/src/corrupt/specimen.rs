@@ -37,7 +37,6 @@ impl Family {
     }
 }
 
-/// One map in one form.
 #[derive(Clone, Debug)]
 pub(super) struct Specimen {
     pub(super) form: Family,
@@ -82,7 +81,6 @@ impl Specimen {
         Ok(all)
     }
 
-    /// Returns the parts that the expectation examines.
     pub(super) fn parts(&self) -> Parts {
         self.expectation.looks_at(self.table.parts)
     }

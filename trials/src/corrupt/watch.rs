@@ -19,7 +19,6 @@ pub(super) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// The work of one thread.
 #[derive(Debug)]
 pub(super) struct Watchpoint<A> {
     /// The number of starts and ends of validations: odd while one runs.
@@ -73,14 +72,14 @@ impl<A: Copy + Send> Watch<A> {
         Self { threads: Mutex::new(Vec::new()), over: AtomicBool::new(false) }
     }
 
-    /// Adds a thread to be watched.
     pub(super) fn thread(&self) -> Arc<Watchpoint<A>> {
         let watched = Arc::new(Watchpoint { steps: AtomicU64::new(0), about: Mutex::new(None) });
         lock(&self.threads).push(watched.clone());
         watched
     }
 
-    /// Runs `work` under watch. If a validation does not end, calls `hangs`, which should end the program, as a thread cannot be.
+    /// Runs `work` under watch. If a validation does not end, calls `hangs`, which should end the program: a thread cannot be
+    /// stopped.
     pub(super) fn during<T>(&self, work: impl FnOnce() -> T, hangs: impl Fn(A) + Sync) -> T {
         self.during_with(PAUSE, work, hangs)
     }

@@ -83,7 +83,6 @@ impl fmt::Debug for LazyColumn<'_> {
     }
 }
 
-/// A column of open labels.
 pub(super) struct Shape {
     pub(super) column: Column,
     pub(super) longest: usize,
@@ -101,7 +100,7 @@ pub(super) enum Entries {
 
 /// Returns the columns of the labels of this work: for links that its tables do not store, and numbers that are always labels.
 ///
-/// A link leads to each slot or to the one past the end, as in tables. Ranks, as many as half-edges, and nil have any order.
+/// A link leads to each slot or to the one past the end, as in tables. As many ranks as half-edges, and nil, can be in any order.
 ///
 /// # Errors
 /// [`LazyError::NoCertificates`].

@@ -10,7 +10,8 @@ use twinedge_certificate::Column;
 /// A table of a size, in which the cells that were read have values.
 ///
 /// The first read of a cell gives it its first value. [`runs`](Self::runs) then advances the last cell to its next value, and
-/// opens it again after the last one. The runs thus go through all tables, and one covers those that agree in the cells read.
+/// opens it again after the last one. The runs thus go through all tables, and one covers all tables that agree in the cells
+/// read.
 pub(super) struct OpenTable {
     parts: Parts,
     vertices: Records,
@@ -77,7 +78,6 @@ mod cell {
     pub(super) const PLACE: usize = 3;
     pub(super) const OUTER: usize = 1;
     pub(super) const LENGTH: usize = 2;
-    /// The first entry of the list of a face.
     pub(super) const INNER: usize = 3;
 }
 
@@ -338,7 +338,7 @@ impl OpenTable {
         }
     }
 
-    /// Gives the cell the first value from this one on, skipping those of interchangeable slots; false without such a value.
+    /// Gives the cell the first value from this one on, skipping values of interchangeable slots; false without such a value.
     fn choose_from(&self, cell: usize, first: u8) -> bool {
         let values = first..self.domains[cell].ways.len() as u8;
         let value = values.into_iter().find(|value| self.agreeing_with(cell, *value) > 0);

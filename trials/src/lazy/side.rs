@@ -23,14 +23,12 @@ type Judge<'a> = Box<dyn Fn(&OpenTable) -> bool + Sync + 'a>;
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Tables {
-    /// Each table unchanged.
     Plain,
     /// Tables that differ only in the numbers of their slots are equivalent.
     UpToNumbers,
     WithLabels,
 }
 
-/// The findings of one thread.
 #[derive(Default)]
 pub(super) struct Judgement {
     pub(super) runs: u128,
@@ -68,7 +66,6 @@ impl<'a> Side<'a> {
         ]
     }
 
-    /// Returns the tables for the first judge.
     pub(super) fn table(&self) -> Result<OpenTable, LazyError> {
         let table = OpenTable::new(self.work)?;
         match self.tables {
@@ -78,7 +75,6 @@ impl<'a> Side<'a> {
         }
     }
 
-    /// Judges this part of all tables.
     pub(super) fn judge(&self, run: &Run<'_>) -> Result<Vec<Judgement>, LazyError> {
         let branches = self.branches(&self.table()?);
         let ours: Vec<&Branch> = run.part().numbers(branches.len()).map(|number| &branches[number]).collect();
@@ -133,7 +129,6 @@ impl<'a> Side<'a> {
         table.retract(0);
     }
 
-    /// Records a table that the other judge rejects.
     fn note(&self, table: &OpenTable, judged: &mut Judgement) {
         judged.differences += table.agreeing();
         if judged.finding.is_none() {

@@ -28,7 +28,6 @@ pub struct LazyWork {
     pub certificates: bool,
 }
 
-/// The largest number of slots of a kind.
 pub(super) const MOST_SLOTS: usize = 15;
 
 #[derive(Clone, Copy)]

@@ -28,7 +28,8 @@ impl<K> std::fmt::Debug for MeshStructure<K> {
 }
 
 impl<K: Subject> MeshStructure<K> {
-    /// Returns a structure of this name that is made from triangles. It has spheres, and discs if [open](Expectation::open).
+    /// Returns a structure of this name that is made from triangles. It has spheres, and discs if the expectation is
+    /// [open](Expectation::open).
     #[must_use]
     pub fn new(name: &'static str, make: fn(&Triangulation) -> K, expectation: Expectation) -> Self {
         let asked = Conformance::of(&expectation);

@@ -82,12 +82,10 @@ impl Triangulation {
     }
 }
 
-/// All triangulations of one kind.
 #[derive(Debug)]
 pub(super) struct All {
     /// One of each class of isomorphic ones; mirror images are different.
     pub(super) maps: Vec<Triangulation>,
-    /// The number of rooted ones.
     pub(super) rooted: u64,
     /// The number of unrooted ones, with mirror images taken together.
     pub(super) unrooted: u64,

@@ -100,7 +100,6 @@ impl<K: Subject + Clone> Worker<'_, K> {
         }
     }
 
-    /// Returns the fault after an operator was applied.
     fn after(&mut self, op: Op, before: &Counts, report: &Report, result: &Runner<K>) -> Option<String> {
         if let Some(violation) = report.violations().first() {
             return Some(format!("breaks {violation}"));

@@ -5,10 +5,8 @@ use crate::rows::{MOST_FINDINGS, add_findings};
 use std::collections::{BTreeMap, BTreeSet};
 use twinedge::program::{Op, Program};
 
-/// The numbers of edges and vertices of a map.
 pub(super) type Size = (usize, usize);
 
-/// The counts of maps of one size.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Tally {
     /// Distinct maps, by their canonical form.
@@ -17,9 +15,7 @@ pub(super) struct Tally {
     pub(super) refused: u64,
     /// Distinct maps when no face is distinguished as the outside. Of connected maps only.
     pub(super) sensed: u64,
-    /// Their rootings.
     pub(super) rooted: u64,
-    /// The number of faults.
     pub(super) violations: u64,
 }
 

@@ -43,7 +43,8 @@ pub(super) fn add(sum: &mut Vec<u64>, by_genus: &[u64]) {
     sum.iter_mut().zip(by_genus).for_each(|(sum, count)| *sum += count);
 }
 
-/// Returns the numbers of rooted maps for numbers of labelled ones. A rooted map has 2ⁿ⁻¹ (n − 1)! labelled ones.
+/// Returns the numbers of rooted maps for numbers of labelled ones. A rooted map has no symmetry, so it has 2ⁿ⁻¹ (n − 1)!
+/// labellings.
 pub(super) fn rooted(edges: usize, labelled: &[u64]) -> Vec<u64> {
     let names: u64 = (1..edges as u64).map(|i| 2 * i).product();
     // A number that is not divisible is not a count of maps. Rounded up, it is no published one either.

@@ -36,9 +36,7 @@ impl Codes {
 
 #[derive(Default)]
 pub(super) struct Growth {
-    /// The canonical forms of all maps.
     pub(super) codes: Codes,
-    /// The maps of this part of the work.
     pub(super) maps: Vec<Program>,
     /// The maps without root of this part of the work, and the faults.
     pub(super) explored: Exploration,
@@ -48,7 +46,6 @@ pub(super) struct Growth {
 struct Found {
     program: Program,
     size: Size,
-    /// True if it belongs to this part of the work.
     is_ours: bool,
 }
 
@@ -135,7 +132,6 @@ pub(super) fn grow<K: Subject + Clone>(structure: &Structure<K>, scope: Scope, r
     grown
 }
 
-/// Returns the size of the first map.
 const fn start_size(scope: Scope) -> Size {
     match scope {
         Scope::Connected { .. } => (0, 1),

@@ -98,7 +98,6 @@ fn unsupported(explored: &[&Exploration]) -> Vec<String> {
     names.into_iter().map(str::to_owned).collect()
 }
 
-/// Returns the row of all connected maps with this number of edges.
 fn edges_row(n: usize, explored: &Exploration) -> EdgesRow {
     let mut sum = Tally::default();
     explored.tallies.iter().filter(|((edges, _), _)| *edges == n).for_each(|(_, tally)| sum.add(tally));

@@ -2,7 +2,6 @@
 
 use twinedge::validate::{Link, Part, Parts, View};
 
-/// The largest number of half-edges of a map here.
 const MOST: usize = 10;
 
 /// A map without faces: twins are 0 and 1, 2 and 3, …; `next` is any permutation; vertices follow from these.

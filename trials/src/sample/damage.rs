@@ -45,7 +45,6 @@ fn set_cell(table: &mut Table, random: &mut Random) {
     table.set(cell, values[random.below(values.len())]);
 }
 
-/// Returns another cell of the same kind.
 fn alike(table: &Table, cell: Cell, random: &mut Random) -> Cell {
     let kind = std::mem::discriminant(&cell);
     let cells = table.cells(Parts::ALL).into_iter();
@@ -53,7 +52,6 @@ fn alike(table: &Table, cell: Cell, random: &mut Random) -> Cell {
     cells[random.below(cells.len())]
 }
 
-/// Copies the content of another cell of the same kind.
 fn copy_cell(table: &mut Table, random: &mut Random) {
     let Some(cell) = any_cell(table, random) else { return };
     let other = alike(table, cell, random);
@@ -64,7 +62,6 @@ fn copy_cell(table: &mut Table, random: &mut Random) {
     }
 }
 
-/// Exchanges the contents of two cells of the same kind.
 fn swap_cells(table: &mut Table, random: &mut Random) {
     let Some(cell) = any_cell(table, random) else { return };
     let other = alike(table, cell, random);
@@ -83,7 +80,6 @@ fn swap_two<T>(rows: &mut [T], random: &mut Random) {
     }
 }
 
-/// Exchanges two records, or a record and a vacant row.
 fn swap_records(table: &mut Table, random: &mut Random) {
     match random.below(4) {
         0 => swap_two(&mut table.vertices, random),

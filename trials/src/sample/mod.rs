@@ -66,7 +66,6 @@ pub fn sample(work: SampleWork, checker: &dyn Checker, run: &Run<'_>) -> SampleO
     }
 }
 
-/// The findings of one thread.
 #[derive(Default)]
 struct Judgement {
     tables: u64,

@@ -10,9 +10,7 @@ const NOWHERE: usize = usize::MAX;
 pub(super) struct Rotations {
     /// The next half-edge with the same origin, clockwise.
     turn: Vec<usize>,
-    /// The previous one.
     back: Vec<usize>,
-    /// The vertex that each half-edge leaves.
     pub(super) origin: Vec<usize>,
     pub(super) component: Vec<usize>,
     pub(super) components: usize,
@@ -80,7 +78,6 @@ impl Rotations {
         corners[random.below(corners.len())]
     }
 
-    /// Returns the next half-edge on the cycle.
     pub(super) fn next(&self, h: usize) -> usize {
         self.turn[h ^ 1]
     }

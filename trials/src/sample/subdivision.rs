@@ -33,7 +33,6 @@ struct Boundary {
 
 struct Plan<'a> {
     rotations: &'a Rotations,
-    /// The origin of each half-edge.
     origin: Vec<usize>,
     vertices: usize,
     boundaries: Vec<Boundary>,

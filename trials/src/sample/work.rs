@@ -8,7 +8,6 @@ use twinedge::dcel::Dcel;
 use twinedge::program::{Op, Program, Runner};
 use twinedge::validate::Table;
 
-/// The number of tables in one piece of the work.
 pub(super) const TABLES_OF_A_PIECE: u64 = 1000;
 
 /// The work of `sample`.

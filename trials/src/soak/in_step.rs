@@ -52,7 +52,8 @@ pub trait Comparable: Sync {
     /// after each operator, like [`conformance::run`](twinedge::program::conformance::run). A panic is caught. Costs as there.
     fn compare(&self, program: &Program, progress: &dyn Progress) -> Comparison;
 
-    /// Returns a regression test of this program, or a Rust expression without a [`source`](Structure::source).
+    /// Returns a regression test of this program, or the program as a Rust expression if the structure has no
+    /// [`source`](Structure::source).
     fn to_rust(&self, message: &str, program: &Program) -> String;
 }
 

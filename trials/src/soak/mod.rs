@@ -4,7 +4,7 @@
 //! operator the structure must have the same outcome (applied, refused for the same reason, or skipped), and it must be valid and
 //! isomorphic, including nesting, with equal handles. Programs use stale handles. The first that fails, or panics, is made small.
 //!
-//! Reports of operators beyond handles are specific to a structure. [`ReportAudit`](crate::ReportAudit) checks those of `Dcel`.
+//! Reports of operators beyond handles are specific to a structure. [`ReportAudit`](crate::ReportAudit) checks them for `Dcel`.
 
 mod in_step;
 mod outcome;

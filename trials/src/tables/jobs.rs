@@ -25,7 +25,6 @@ pub(super) struct Job {
     /// True if origins are not set but follow from twin and next.
     pub(super) derive_origins: bool,
     pub(super) assignments: Vec<Assignments>,
-    /// The number of valid ones.
     pub(super) right: u128,
 }
 
@@ -99,7 +98,6 @@ fn blank(vertices: usize, half_edges: usize, boundaries: usize, lists: &[usize])
     }
 }
 
-/// Returns a table of half-edges alone, with these twins.
 fn with_twins(twins: &[usize]) -> Table {
     let mut table = blank(0, twins.len(), 0, &[]);
     for (h, twin) in twins.iter().enumerate() {

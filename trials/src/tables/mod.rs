@@ -67,7 +67,6 @@ pub fn tables(work: TablesWork, checker: &dyn Checker, run: &Run<'_>) -> TablesO
     TablesOutcome { work, shard: run.part(), tables: rows, findings, interrupted: run.is_stopped() }
 }
 
-/// The findings of one thread.
 #[derive(Default)]
 struct Judgement {
     tables: u64,

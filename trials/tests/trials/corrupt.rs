@@ -33,7 +33,6 @@ fn judged(checker: &dyn Checker) -> TablesOutcome {
     tables(TablesWork { half_edges: 0 }, checker, &Run::default())
 }
 
-/// Sums a count over all single corruptions.
 fn total(outcome: &CorruptOutcome, count: fn(&Tally) -> u64) -> u64 {
     outcome.fields.iter().map(|row| count(&row.tally)).sum()
 }

@@ -57,7 +57,6 @@ fn vacant_slots_open_borders_and_claims_are_judged_alike() {
     assert_eq!(accepted(work(surface.simple().no_unused_vertices(), MAP, [2, 2, 0, 0])), 2);
 }
 
-/// A validator that does not count the sides of faces.
 struct AnySides;
 
 impl Acceptor for AnySides {

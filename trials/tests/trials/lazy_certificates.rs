@@ -134,7 +134,6 @@ fn a_checker_that_refuses_loops_leaves_right_tables_without_certificate() {
     assert!(outcome.findings[0].starts_with("accepted by the reference alone: "), "{:?}", outcome.findings);
 }
 
-/// A checker that accepts every genus as the claimed one.
 struct AnyGenus;
 
 impl Acceptor for AnyGenus {

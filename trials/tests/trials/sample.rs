@@ -24,7 +24,6 @@ fn every_rule_but_the_last_is_often_the_first_broken_one() {
     assert_eq!(outcome.right + outcome.first_broken.iter().map(|row| row.wrong).sum::<u64>(), WORK.tables);
 }
 
-/// A validator that names the next rule.
 struct OffByOne;
 
 impl Checker for OffByOne {

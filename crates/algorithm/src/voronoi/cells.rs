@@ -150,7 +150,6 @@ fn draw_box(drawing: &mut Drawing, sides: Sides, [low, high]: [Point; 2]) {
 /// The crossing of a line with a side of the box: the position on the line, the side, and the coordinate on the side.
 type Crossing = (f64, usize, f64);
 
-/// The line halfway between two sites.
 struct Line {
     middle: Point,
     direction: Point,

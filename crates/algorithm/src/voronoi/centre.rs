@@ -10,7 +10,6 @@ use twinedge_geometry::Point;
 struct Long(f64, f64);
 
 impl Long {
-    /// Adds a number and a smaller one.
     fn new(high: f64, low: f64) -> Self {
         let sum = high + low;
         Self(sum, low - (sum - high))

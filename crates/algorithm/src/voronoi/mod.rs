@@ -124,7 +124,8 @@ pub fn voronoi(sites: &[Point], bounds: Option<[Point; 2]>) -> Result<Voronoi, V
     diagram(&placed, bounds::bounds(sites, bounds)?)?.ok_or_else(|| placed.too_close())
 }
 
-/// Computes a Voronoi diagram in which sites share a cell that doubles cannot distinguish. [`Voronoi::merged`] names them.
+/// Computes a Voronoi diagram in which sites share a cell if doubles cannot distinguish their cells. [`Voronoi::merged`] names
+/// them.
 ///
 /// Neighbouring sites are merged, the closest first, up to twice the distance each time, until there is a diagram: no site is
 /// merged with one much farther away than necessary.

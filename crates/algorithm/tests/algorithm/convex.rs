@@ -31,7 +31,6 @@ fn bounded(map: &PlanarMap) -> Vec<FaceKey> {
     map.dcel().faces().filter(|face| !face.is_unbounded()).map(Face::key).collect()
 }
 
-/// The properties of a face before the change.
 struct Before {
     area: f64,
     reflex: usize,
@@ -100,7 +99,6 @@ fn of_rings(rings: &[&[[f64; 2]]]) -> PlanarMap {
     builder.build().unwrap()
 }
 
-/// The pieces of the one face that a polygon covers.
 fn pieces(rings: &[&[[f64; 2]]]) -> usize {
     let mut map = of_rings(rings);
     let covered: Vec<FaceKey> = bounded(&map).into_iter().filter(|face| !features(&map, *face).is_empty()).collect();

@@ -1,4 +1,5 @@
-//! The columns of certificates have the proof's file names, in the order of its tables. Also references, and no points.
+//! The columns of certificates have the proof's file names, in the order of its tables. Also tests a reference to columns, and
+//! columns without points.
 
 use twinedge_certificate::{Column, Columns, Labels, LabelsError};
 

@@ -42,7 +42,6 @@ fn opened(mesh: &Table, faces: &[usize], border: Border) -> Table {
     table
 }
 
-/// Adds records for boundary components.
 fn by_record(table: &Table) -> Table {
     let vacant: Vec<usize> = (0..table.faces.len()).filter(|f| table.faces[*f].is_none()).collect();
     let mut filled = table.clone();
@@ -175,7 +174,8 @@ fn a_record_without_face_is_no_hole() {
     assert_eq!(tests(&table), [Test::SurfaceBoundaryOk]);
 }
 
-/// Changes single numbers of the certificate of an open mesh: if it passes, only counts of whole columns may differ.
+/// Changes single numbers of the certificate of an open mesh: if it passes, the counts are the same, except for values that a
+/// whole column determines.
 #[test]
 fn a_changed_number_is_found_or_is_as_good() {
     let table = opened(&textbook_mesh(9, &torus([3, 3])), &[4, 5, 11], Border::NoTwin);

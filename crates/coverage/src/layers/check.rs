@@ -179,7 +179,6 @@ impl<'a> Layers<'a> {
         borders.chain(chains(&lines).into_iter().map(line)).collect()
     }
 
-    /// Makes the finding of some edges.
     fn stretch(
         &self,
         deviation: Deviation,
@@ -228,7 +227,6 @@ impl<'a> Layers<'a> {
     }
 }
 
-/// Sorts features and removes duplicates.
 fn sorted<'a>(features: impl Iterator<Item = &'a FeatureId>) -> Vec<FeatureId> {
     let mut all: Vec<FeatureId> = features.copied().collect();
     all.sort_unstable();

@@ -161,7 +161,6 @@ impl LayerFinding {
         self.deviation.rule()
     }
 
-    /// Makes the finding of a set of faces.
     pub(super) fn of_faces(
         map: &PlanarMap,
         deviation: Deviation,

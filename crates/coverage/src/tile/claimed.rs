@@ -25,7 +25,6 @@ impl Claimed {
         (self.feature, self.between)
     }
 
-    /// Returns the number of tiles that the box meets.
     pub(super) fn of(&self) -> u64 {
         let [first, last] = self.between;
         (u64::from(last.column - first.column) + 1) * (u64::from(last.row - first.row) + 1)

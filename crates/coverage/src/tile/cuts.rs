@@ -179,7 +179,6 @@ impl Cuts {
         self.rounds == 0 || self.pieces(&grid.bounds(tile)).next().is_some()
     }
 
-    /// Returns the unexamined pieces near a tile.
     fn pieces(&self, bounds: &Bounds) -> impl Iterator<Item = &Ends> {
         let bounds = bounds.grown(self.noding.cell());
         self.fresh.iter().filter(move |ends| meets(&bounds, ends))
@@ -380,7 +379,6 @@ fn refused(error: NodingError) -> BuildError {
     }
 }
 
-/// A chain of points, closed or not.
 #[derive(Clone, Copy)]
 struct Chain<'a> {
     points: &'a [Point],

@@ -3,7 +3,6 @@
 use twinedge_geometry::Point;
 use twinedge_map::{Feature, Shape};
 
-/// Returns the corners of the box around a feature.
 pub(super) fn corners(feature: &Feature) -> Option<(Point, Point)> {
     around(feature.shapes.iter().flat_map(points)).map(|[low, high]| (low, high))
 }

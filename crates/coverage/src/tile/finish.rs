@@ -34,7 +34,7 @@ pub struct Outcome {
     pub uncut: Option<BuildError>,
     /// The features whose shapes are invalid by the rules of the OGC (C6), by number.
     pub defects: Vec<(u32, Vec<Defect>)>,
-    /// Features not given to every tile that meets their box, or have a different box in another of these tiles.
+    /// Features that were not given to every tile that meets their box, or that have a different box in another of these tiles.
     pub not_given: Vec<u32>,
     /// False if `V − E + F = 1 + C` does not hold for the sums, or for not exactly one unbounded face (T3); `None` if faces are
     /// unknown.
@@ -54,7 +54,8 @@ impl Outcome {
 }
 
 impl Outcome {
-    /// Returns the outcome with the coverage of the cut map, if edges meet elsewhere and tiles do not contradict each other.
+    /// Returns the outcome with the coverage of the cut map, if edges meet other than at vertices and tiles do not contradict
+    /// each other.
     #[must_use]
     pub fn with_cut(self, cut: Self) -> Self {
         if self.needs_cut() { Self { coverage: cut.coverage, ..self } } else { self }

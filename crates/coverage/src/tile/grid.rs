@@ -175,7 +175,6 @@ impl Grid {
         }
     }
 
-    /// Returns the tile on the other side, if there is one.
     pub(super) fn neighbour(&self, Tile { column, row }: Tile, side: Side) -> Option<Tile> {
         let [column, row] = match side {
             Side::Bottom => [column, row.checked_sub(1)?],

@@ -11,7 +11,6 @@ use twinedge_geometry::Point;
 use twinedge_geometry::crossing::{Clash, clashes};
 use twinedge_map::{Embedding as _, FeatureId, PlanarMap};
 
-/// The part of an edge that lies in the tile.
 pub(super) struct Part {
     /// The half-edge that leaves the smaller end, by index, and its twin.
     pub(super) half_edges: [usize; 2],
@@ -21,13 +20,11 @@ pub(super) struct Part {
     pub(super) exit: Option<u32>,
 }
 
-/// The part of a map that lies in a tile.
 pub(super) struct Local<'a> {
     pub(super) map: &'a PlanarMap,
     pub(super) numbers: &'a [u32],
     pub(super) bounds: Bounds,
     pub(super) parts: Vec<Part>,
-    /// The part of each half-edge, by index.
     pub(super) part_of: Vec<u32>,
     /// The contacts counter-clockwise from the lower left corner: the side, the part, true if its first half-edge enters.
     pub(super) contacts: Vec<(Side, u32, bool)>,
@@ -93,7 +90,6 @@ impl<'a> Local<'a> {
         self.bounds.contains(self.map.point(vertex.index()))
     }
 
-    /// Returns the half-edge that enters at a contact.
     pub(super) fn entering(&self, contact: u32) -> usize {
         let (_, part, is_entry) = self.contacts[contact as usize];
         self.parts[part as usize].half_edges[usize::from(!is_entry)]

@@ -83,7 +83,6 @@ impl Pieces {
         pieces
     }
 
-    /// Returns the piece on the border before a contact.
     fn before(&self, contact: usize) -> u32 {
         let count = self.after.len();
         self.after[(contact + count - 1) % count]

@@ -131,7 +131,6 @@ impl Region {
     }
 }
 
-/// Sorts edges and removes duplicates.
 pub(super) fn sort_edges(edges: &mut Vec<Edge>) {
     edges.sort_by(|e, f| compare_edges(&e.ends, &f.ends));
     edges.dedup_by(|e, f| compare_edges(&e.ends, &f.ends).is_eq());

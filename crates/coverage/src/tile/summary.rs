@@ -153,7 +153,6 @@ impl Component {
     }
 }
 
-/// Compares unmatched vertices by location.
 pub(super) fn compare_unmatched(a: &UnmatchedVertex, b: &UnmatchedVertex) -> Ordering {
     compare_points(a.at, b.at)
         .then_with(|| (a.of, a.lacked_by).cmp(&(b.of, b.lacked_by)))
@@ -365,7 +364,6 @@ impl Summary {
         }
     }
 
-    /// Counts a component that no border cuts.
     pub(super) fn close(&mut self, component: &Component) {
         let Component { vertices, edges, cycles, least } = *component;
         let is_isolated = edges == 0;
@@ -377,7 +375,6 @@ impl Summary {
         }
     }
 
-    /// Counts a face that no border cuts.
     pub(super) fn close_face(&mut self, is_unbounded: bool) {
         self.totals.add(&Totals { faces: 1, unbounded_faces: u64::from(is_unbounded), ..Totals::NOTHING });
     }

@@ -144,7 +144,6 @@ impl Summary {
     }
 }
 
-/// Returns true if the box around a feature meets the tile.
 fn meets(bounds: &Bounds, feature: &Feature) -> bool {
     corners(feature).is_some_and(|(low, high)| bounds.meets(low, high))
 }

@@ -56,7 +56,6 @@ pub(super) enum Chords {
     Apart,
 }
 
-/// One of many segments side by side.
 #[derive(Clone, Copy)]
 pub(super) struct Chord {
     pub(super) segment: u32,

@@ -2,7 +2,8 @@
 //!
 //! Segments drawn by hand or read from files cross, touch and overlap. [`node`] cuts them wherever they meet and rounds the cuts
 //! to a grid. The result is the exact drawing of a plane graph in `f64` coordinates: every point is on the grid, edges are
-//! distinct and not of zero length, and two edges meet at a common end or not at all. It never fails on finite input.
+//! distinct and not of zero length, and two edges meet at a common end or not at all. It never fails on finite input within reach
+//! of the grid.
 //!
 //! ```
 //! use twinedge_geometry::Point;
@@ -277,7 +278,6 @@ pub fn node_numbered(points: &[Point], segments: &[[u32; 2]], snap: Snap, cuts: 
     finish(&grid, Read::numbered(&grid, points, segments), cuts)
 }
 
-/// Nodes the input once it has been read.
 fn finish(grid: &Grid, mut read: Read<'_>, cuts: usize) -> Result<Noded, NodingError> {
     let Runs { joined, of, duplicates } = runs::join(read.segments(grid));
     if crossing_cuts(grid.pixels, &joined).is_some_and(|expected| expected / 2 > cuts as u64) {

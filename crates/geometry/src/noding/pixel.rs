@@ -84,7 +84,6 @@ impl Block {
         along(0) & along(1)
     }
 
-    /// Returns the smallest block that contains both blocks.
     pub(super) fn join(&self, other: &Self) -> Self {
         Self {
             low: [self.low[0].min(other.low[0]), self.low[1].min(other.low[1])],
@@ -134,7 +133,6 @@ impl Pixels {
         pixel.map(|c| c << self.shift)
     }
 
-    /// Returns the smallest block that contains a segment.
     pub(super) fn around(self, s: &Segment) -> Block {
         let (a, b) = (self.at(s.a), self.at(s.b));
         Block { low: [a[0], a[1].min(b[1])], high: [b[0], a[1].max(b[1])] }

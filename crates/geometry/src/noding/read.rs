@@ -89,7 +89,6 @@ impl<'a> Read<'a> {
         }
     }
 
-    /// Returns the segments between different vertices.
     pub(super) fn segments(&self, grid: &Grid) -> Vec<Segment> {
         let longer = self.ends.iter().filter(|ends| {
             let [p, q] = ends.map(|site| self.vertex_of[site as usize]);

@@ -57,7 +57,6 @@ struct Sum {
 }
 
 impl Sum {
-    /// Adds the exact product of two doubles.
     fn add(&mut self, a: f64, b: f64, sign: i128) {
         let parts = |c: f64| {
             let (bits, exponent) = (c.abs().to_bits(), (c.abs().to_bits() >> 52) as usize);
@@ -88,7 +87,6 @@ impl Sum {
     }
 }
 
-/// The sign of (a - c) x (b - c), multiplied out.
 fn exact_orientation(a: Point, b: Point, c: Point) -> Orientation {
     let mut sum = Sum { limbs: [0; 140] };
     for (p, q) in [(a, b), (b, c), (c, a)] {

@@ -24,7 +24,6 @@ const MANY: usize = 1 << 14;
 
 const UNBOUNDED: u32 = 0;
 
-/// The result of one sweep over points and segments.
 pub(super) struct Placement {
     /// The lexicographically smallest point of each component, from left to right.
     lowest: Vec<u32>,

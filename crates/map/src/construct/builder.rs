@@ -56,7 +56,6 @@ pub struct Builder {
     segment_numbers: NumberTable,
     pub(super) features: GatheredFeatures,
     summary: BuildSummary,
-    /// The allowed number of cuts, if set.
     cuts: Option<usize>,
 }
 

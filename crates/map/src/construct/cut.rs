@@ -33,7 +33,6 @@ pub enum Noding {
     Snap(Snap),
 }
 
-/// The gathered points and segments after noding.
 pub(super) struct CutSegments {
     pub(super) points: Vec<Point>,
     pub(super) segments: Vec<[u32; 2]>,
@@ -77,7 +76,6 @@ impl Pieces {
     }
 }
 
-/// The numbers of segments in lexicographical order.
 struct Numbers<'a> {
     segments: &'a [[u32; 2]],
     /// The index of each point's first segment, and the number of segments.

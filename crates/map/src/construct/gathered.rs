@@ -57,12 +57,10 @@ impl GatheredFeatures {
     }
 }
 
-/// Returns the point where a dart starts.
 pub(super) fn origin(segments: &[[u32; 2]], dart: Dart) -> u32 {
     segments[dart as usize >> 1][dart as usize & 1]
 }
 
-/// Returns the point where a dart ends.
 pub(super) fn target(segments: &[[u32; 2]], dart: Dart) -> u32 {
     origin(segments, dart ^ 1)
 }

@@ -190,7 +190,6 @@ impl<'a> Drawing<'a> {
         self.index.vertices.get(&id).copied().ok_or(ApplyError::AnotherMap(Record::Vertex(id)))
     }
 
-    /// Drops a vertex without edges.
     fn drop_vertex(&mut self, id: u128) -> Result<VertexKey, ApplyError> {
         let key = self.vertex(id)?;
         if self.map.dcel.vertex(key)?.isolated().is_none() {
@@ -268,7 +267,6 @@ impl<'a> Drawing<'a> {
         }
     }
 
-    /// Records that an edge has new half-edges, or none.
     fn rename_edge(&mut self, old: Sides, new: Option<Sides>) {
         self.moved.push((Kind::Edge, old.edge.data(), new.map(|new| new.edge.data())));
         for side in 0..2 {

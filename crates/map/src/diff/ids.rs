@@ -96,7 +96,6 @@ impl fmt::Debug for Ids {
     }
 }
 
-/// The records of a map by their ids.
 #[derive(Clone)]
 pub(super) struct Index {
     pub(super) vertices: BTreeMap<u128, VertexKey>,
@@ -154,7 +153,6 @@ impl Index {
         self.edges.insert(ends, h.key());
     }
 
-    /// Returns the half-edge from one vertex to another.
     pub(super) fn half_edge<'a>(&self, map: &'a PlanarMap, from: u128, to: u128) -> Option<HalfEdge<'a>> {
         let h = map.dcel().half_edge(*self.edges.get(&(from.min(to), from.max(to)))?).ok()?;
         Some(if from < to { h } else { h.twin() })
@@ -167,7 +165,6 @@ impl Index {
         cycle[first..].iter().chain(&cycle[..first]).map(|(from, _)| *from).collect()
     }
 
-    /// Returns the key that holds the values of a record.
     pub(super) fn key(&self, map: &PlanarMap, record: Record) -> Option<KeyData> {
         Some(match record {
             Record::Vertex(v) => self.vertices.get(&v)?.data(),

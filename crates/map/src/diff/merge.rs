@@ -148,7 +148,6 @@ impl Ways {
         Self { ends }
     }
 
-    /// Returns the first edge of a line between two vertices.
     fn first_edge(&self, a: u128, b: u128) -> Option<Record> {
         let (from, to) = (self.ends.get(&a)?, self.ends.get(&b)?);
         from.iter().find(|(piece, _)| to.contains_key(piece)).map(|(_, edge)| *edge)

@@ -11,13 +11,11 @@ use core::ops::Range;
 use twinedge::validate::{Rule, Unchecked};
 use twinedge_geometry::Point;
 
-/// Links and points, by slots.
 pub(crate) struct Columns {
     /// The origin of each half-edge; `NIL` if it is not live.
     pub(crate) origin: Vec<u32>,
     /// The twin of each half-edge; `NIL` at an open boundary.
     pub(crate) twin: Vec<u32>,
-    /// The next half-edge of each half-edge.
     pub(crate) next: Vec<u32>,
     pub(crate) is_vertex: Vec<bool>,
     pub(crate) points: Vec<Point>,
@@ -87,7 +85,6 @@ impl Columns {
         (0..self.points.len()).filter(|v| self.is_vertex[*v])
     }
 
-    /// Returns the next half-edge on the cycle.
     pub(crate) fn next(&self, h: usize) -> usize {
         self.next[h] as usize
     }
@@ -98,12 +95,10 @@ impl Columns {
         (t != NIL).then(|| self.next(t as usize))
     }
 
-    /// Returns the vertex where a half-edge starts.
     pub(crate) fn origin(&self, h: usize) -> usize {
         self.origin[h] as usize
     }
 
-    /// Returns the vertex where a half-edge ends.
     pub(crate) fn target(&self, h: usize) -> usize {
         self.origin(self.next(h))
     }

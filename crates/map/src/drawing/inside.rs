@@ -22,7 +22,6 @@ pub(crate) struct Inside<'a, E: ?Sized> {
 }
 
 impl<E: Embedding + ?Sized> Inside<'_, E> {
-    /// Returns the face to the left of a half-edge.
     fn face_of(&self, h: usize) -> Link {
         let face = if self.parts.has(Part::BoundaryComponents) {
             let b = self.embedding.boundary(h).filter(|b| *b < self.embedding.boundary_slots())?;

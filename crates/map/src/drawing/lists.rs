@@ -5,7 +5,6 @@ use crate::Embedding;
 use crate::numbers::NIL;
 use twinedge::validate::{Part, Parts, Record, Start};
 
-/// A boundary component, as its face lists it.
 pub(crate) struct Listed {
     pub(crate) face: usize,
     /// The record that a report names.

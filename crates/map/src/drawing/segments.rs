@@ -13,7 +13,6 @@ pub(crate) struct Segments {
     pub(crate) points: Vec<Point>,
     /// The vertex of each point; bends follow and have no entry.
     vertices: Vec<u32>,
-    /// The point of each vertex.
     pub(crate) numbers: Vec<u32>,
     pub(crate) ends: Vec<[u32; 2]>,
     /// For each segment, the half-edge from its lexicographically smaller end to the larger; at an open boundary, the only one.
@@ -77,7 +76,6 @@ impl Segments {
         }
     }
 
-    /// Returns the point of the bend at this index.
     pub(crate) fn bend(&self, place: usize) -> u32 {
         (self.vertices.len() + place) as u32
     }
@@ -160,7 +158,6 @@ impl Segments {
     }
 }
 
-/// The record at a point of the sweep.
 enum Spot {
     Vertex(usize),
     /// A half-edge, and the number of its bend.

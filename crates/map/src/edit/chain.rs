@@ -64,7 +64,6 @@ impl PlanarMap {
         Ok(edited)
     }
 
-    /// Checks a chain against the map and against itself.
     fn plan(&self, chain: &[At], closed: bool) -> Result<ChainPlan, EditError> {
         let points = chain.iter().map(|at| self.point_of(*at)).collect::<Result<Vec<Point>, EditError>>()?;
         let ways: Vec<[Point; 2]> = points.windows(2).map(|pair| [pair[0], pair[1]]).collect();

@@ -41,7 +41,6 @@ impl PlanarMap {
         }
     }
 
-    /// Makes an isolated vertex in a face.
     pub(super) fn make_isolated(
         &mut self,
         p: Point,

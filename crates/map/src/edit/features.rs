@@ -55,7 +55,8 @@ impl PlanarMap {
     /// ```
     ///
     /// # Errors
-    /// [`EditError::NoSuchFeature`] (or a removed one); [`EditError::Operator`] if the policy of an attribute refuses.
+    /// [`EditError::NoSuchFeature`], also after a removal; [`EditError::Operator`] if the policy of an attribute refuses. Nothing
+    /// changes then.
     pub fn remove_feature(&mut self, feature: FeatureId) -> Result<Option<String>, EditError> {
         self.checked([feature])?;
         self.announce_feature(Step::Drop(feature.data()))?;
@@ -157,7 +158,6 @@ impl PlanarMap {
         self.features = FeatureSets::default();
     }
 
-    /// Returns the features in order, each once.
     fn checked(&self, features: impl IntoIterator<Item = FeatureId>) -> Result<Vec<FeatureId>, EditError> {
         let mut set = features.into_iter().map(|feature| self.present(feature)).collect::<Result<Vec<_>, _>>()?;
         set.sort_unstable();

@@ -27,8 +27,8 @@ impl PlanarMap {
     /// ```
     ///
     /// # Errors
-    /// [`EditError::NotPlane`], [`EditError::NotFinite`], [`EditError::OutOfRange`], [`EditError::Operator`] for stale keys, full
-    /// maps.
+    /// [`EditError::NotPlane`], [`EditError::NotFinite`], [`EditError::OutOfRange`], [`EditError::Operator`] for a stale key or a
+    /// full map.
     pub fn insert_point(&mut self, at: impl Into<At>) -> Result<Edited, EditError> {
         self.draw(&[at.into()], false)
     }

@@ -19,7 +19,8 @@ impl PlanarMap {
     /// ```
     ///
     /// Refused if the vertex would run into an edge or a vertex on its way, or one of its edges into a vertex. Otherwise the map
-    /// is deformed while remaining plane, so rotations, faces and nesting are unchanged. (Edges meet only ends or the vertex.)
+    /// is deformed while remaining plane, so rotations, faces and nesting are unchanged. (An edge can only be met at its ends or
+    /// by the vertex.)
     ///
     /// O(sizes of the faces around the vertex), counted once per corner of the face there. For a large face, the cost is the
     /// number of edges in the box around the swept area, plus the cost of finding them in the index.

@@ -12,7 +12,6 @@ use twinedge::dcel::{
 use twinedge_geometry::Point;
 
 impl PlanarMap {
-    /// Adds an isolated vertex at a point in the interior of a face.
     pub(super) fn add_isolated(&mut self, p: Point, face: FaceKey) -> Result<VertexKey, OperatorError> {
         let key = self.dcel.add_isolated_vertex(face)?.vertex;
         self.set_point(self.dcel.vertex(key)?.index(), p);
@@ -32,7 +31,6 @@ impl PlanarMap {
         Ok(())
     }
 
-    /// Splits an edge by a vertex at a point.
     pub(super) fn split_at(&mut self, h: HalfEdgeKey, p: Point) -> Result<SplitEdge, OperatorError> {
         let before = self.indexed(h)?;
         let made = self.dcel.split_edge(h)?;
@@ -109,7 +107,6 @@ impl PlanarMap {
         Ok(())
     }
 
-    /// Sets the point of a new vertex.
     fn set_point(&mut self, vertex: usize, p: Point) {
         let from = self.points.get(vertex).copied().unwrap_or_default();
         self.notes.write(|| MapEntry::Point(vertex as u32, from));

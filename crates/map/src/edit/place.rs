@@ -12,7 +12,6 @@ use twinedge_geometry::Point;
 use twinedge_geometry::predicates::in_range;
 
 impl PlanarMap {
-    /// Refuses a map that is not plane.
     pub(super) fn editable(&self) -> Result<(), EditError> {
         Ok(self.plane()?)
     }

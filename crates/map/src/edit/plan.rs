@@ -11,7 +11,6 @@ use twinedge_geometry::predicates::in_range;
 /// The vertices along a segment, by their numbers in the noded drawing.
 pub(super) type Chain = Vec<u32>;
 
-/// An edge that noding changes.
 pub(super) struct EdgeChange {
     /// Its index in the region.
     pub(super) edge: usize,
@@ -22,7 +21,6 @@ pub(super) struct EdgeChange {
 
 pub(super) struct SnapPlan {
     pub(super) region: Region,
-    /// The vertices of the noded drawing.
     pub(super) points: Vec<Point>,
     /// The vertices of the noded drawing that already exist in the map.
     pub(super) vertices: FxHashMap<u32, VertexKey>,

@@ -76,10 +76,11 @@ impl PlanarMap {
     /// Collects the faces along a segment, and the faces adjacent to edges that change when the segment is noded together with
     /// the boundaries of these faces. Also returns the noded drawing, first of the segment, then of the nearby edges.
     ///
-    /// Records beyond have no influence. Noding deforms a drawing without any passing ([`noding`](twinedge_geometry::noding)), so
-    /// deformed edges stay inside the unchanged edges around them, and the region grows until all edges on its border are
-    /// unchanged. A chain stays within `(rounds + 1) / 2` cells of its segment in each direction, and visits pixels within half a
-    /// cell of itself. So records more than a few cells away from the segment and from all changing edges play no part.
+    /// Records beyond have no influence. Noding deforms a drawing without anything ever passing anything else
+    /// ([`noding`](twinedge_geometry::noding)), so deformed edges stay inside the unchanged edges around them, and the region
+    /// grows until all edges on its border are unchanged. A chain stays within `(rounds + 1) / 2` cells of its segment in each
+    /// direction, and visits pixels within half a cell of itself. So records more than a few cells away from the segment and from
+    /// all changing edges play no part.
     pub(super) fn region(&self, start: Located, way: [Point; 2], cell: f64) -> Result<(Region, Noded), EditError> {
         let [p, q] = way;
         let mut region = Region::default();

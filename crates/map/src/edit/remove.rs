@@ -66,7 +66,6 @@ impl PlanarMap {
         })
     }
 
-    /// Removes an edge and updates the features of its faces.
     pub(super) fn erase(&mut self, half_edge: HalfEdgeKey, edited: &mut Edited) -> Result<(), EditError> {
         let h = self.dcel.half_edge(half_edge)?;
         let sides = [h.face(), h.twin().face()].map(|f| (f.key(), self.features.of_face(f.index())));

@@ -32,7 +32,7 @@ impl PlanarMap {
     /// that come to lie on each other and remove slivers of faces between them.
     ///
     /// All vertices of the map must be on the grid. They are if the map was built from the output of noding, with [`Snap::Size`]
-    /// of its [`NodingSummary::cell`](twinedge_geometry::noding::NodingSummary::cell), or drawn by this edit alone. (Nearby
+    /// of its [`NodingSummary::cell`](twinedge_geometry::noding::NodingSummary::cell), or drawn by this edit alone. (Only nearby
     /// vertices are checked.) [`Snap::Auto`] chooses the grid for the largest coordinate of both, and changes with it.
     ///
     /// Features follow their area: each face is covered by the features of its former face, even where edges coincide. An edge
@@ -184,7 +184,6 @@ impl PlanarMap {
         self.realise(p, place, edited)
     }
 
-    /// Adds features to those along an edge.
     fn add_along(&mut self, h: HalfEdgeKey, more: SetId, edited: &mut Edited) -> Result<(), EditError> {
         let index = self.dcel.half_edge(h)?.index();
         let had = self.features.along(index);

@@ -204,7 +204,6 @@ struct Sight<'a> {
     line: Line,
     beyond: Vec<(Vertex<'a>, Point)>,
     end: Option<Located>,
-    /// The first crossing with an edge.
     crossing: Option<LineEvent<'a>>,
 }
 
@@ -258,7 +257,6 @@ struct Obstacles<'a> {
 
 /// The next vertex on the way of a segment, or its end.
 enum Ahead<'a> {
-    /// This vertex comes next.
     Vertex(Vertex<'a>),
     /// The end of the segment comes next, at this location.
     End(Located),

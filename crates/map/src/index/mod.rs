@@ -77,7 +77,6 @@ impl RecordIndex {
         self.tree.insert(BoxedRecord::vertex(v, points));
     }
 
-    /// Removes an isolated vertex, given its index and its point.
     pub(super) fn remove_vertex(&mut self, vertex: usize, p: Point) {
         self.tree.remove(&BoxedRecord { record: TreeRecord::Vertex(vertex as u32), ends: [p; 2] });
     }
@@ -102,7 +101,6 @@ impl RecordIndex {
         hub.map_or(&mut self.tree, |hub| &mut hub.tree).insert(BoxedRecord::edge(h, points));
     }
 
-    /// Removes an edge, given its stored form.
     pub(super) fn remove_edge(&mut self, edge: &IndexedEdge) {
         let mut found = false;
         let [a, b] = edge.boxed.ends;
@@ -143,7 +141,6 @@ impl RecordIndex {
         self.trees(but_hubs_at).flat_map(move |tree| tree.select(selection.clone()))
     }
 
-    /// Returns the records whose boxes meet the box between two corners.
     pub(super) fn in_box(&self, low: Point, high: Point) -> impl Iterator<Item = &BoxedRecord> {
         self.trees([None; 2]).flat_map(move |tree| tree.in_box(low, high))
     }
@@ -172,7 +169,6 @@ impl KeptIndex {
         self.0.get_or_init(|| Box::new(RecordIndex::new(dcel, points)))
     }
 
-    /// Returns the index, if it has been built.
     pub(super) fn if_built(&mut self) -> Option<&mut RecordIndex> {
         self.0.get_mut().map(|index| &mut **index)
     }

@@ -16,7 +16,6 @@ fn records(index: &RecordIndex) -> Vec<BoxedRecord> {
     records
 }
 
-/// Returns the hubs with their half-edges, in order.
 fn rotations(index: &RecordIndex) -> Vec<(u32, Vec<u32>)> {
     let mut all: Vec<_> = index.hubs.iter().map(|(vertex, hub)| (*vertex, hub.rotation())).collect();
     all.sort_unstable();
@@ -32,7 +31,6 @@ fn either_half(map: &PlanarMap, found: Result<Located, LocateError>) -> Result<L
     found.map(|located| if let Located::Edge(h) = located { Located::Edge(smaller(h)) } else { located })
 }
 
-/// Checks that the kept index has all records and agrees with scans.
 fn check(map: &PlanarMap) -> Result<(), String> {
     let fresh = RecordIndex::new(map.dcel(), &map.points);
     if records(map.index()) != records(&fresh) {

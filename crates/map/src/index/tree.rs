@@ -99,7 +99,6 @@ impl RecordTree {
         self.tree.locate_with_selection_function(selection)
     }
 
-    /// Returns the records whose boxes meet the box between two corners.
     pub(super) fn in_box(&self, low: Point, high: Point) -> impl Iterator<Item = &BoxedRecord> {
         self.tree.locate_in_envelope_intersecting(AABB::from_corners(low.into(), high.into()))
     }

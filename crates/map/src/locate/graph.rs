@@ -26,7 +26,6 @@ struct Question {
 }
 
 impl Question {
-    /// A placeholder.
     const NONE: Self = Self { of: 0, below: 0, above: 0 };
 }
 

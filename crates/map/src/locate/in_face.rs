@@ -23,7 +23,8 @@ struct BoundaryScan<'a> {
     map: &'a PlanarMap,
     p: Point,
     on: Option<Located>,
-    /// The first edge straight below the point (slightly to the right at a vertex), as the half-edge to the right, and its ends.
+    /// The first edge straight below the point (slightly to the right at a vertex), as the half-edge that runs to the right, and
+    /// its ends.
     below: Option<(HalfEdge<'a>, [Point; 2])>,
 }
 

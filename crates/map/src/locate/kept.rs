@@ -17,7 +17,8 @@ use twinedge_geometry::Point;
 use twinedge_geometry::predicates::{compare_lexicographic, in_range};
 
 impl PlanarMap {
-    /// Returns the location of a point, for a changing map. Edges are named by the half-edge to the right, or straight up.
+    /// Returns the location of a point, for a changing map. An edge is named by the half-edge that runs to the right, or straight
+    /// up.
     ///
     /// The first call builds an index in O(n log n), which the map maintains through all [edits](crate::edit). With it, a query
     /// costs the search of an R-tree for the records between the point and a nearby record: O(log n) if boxes hardly overlap, as

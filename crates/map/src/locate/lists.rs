@@ -1,6 +1,5 @@
 //! Lists of numbers, stored one after another in one vector.
 
-/// Ascending lists of numbers.
 pub(super) struct Lists {
     /// The start of each list, and the end of the last one.
     starts: Vec<usize>,

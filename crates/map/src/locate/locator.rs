@@ -21,7 +21,6 @@ pub struct Locator<'m> {
     graph: Graph,
     /// `None` if the map has no vertex.
     cells: Option<Cells>,
-    /// The vertex of each point of the graph.
     vertices: Vec<u32>,
     /// For each segment of the graph, the half-edge that runs from its lower end to its higher.
     rising: Vec<u32>,
@@ -92,7 +91,8 @@ impl<'m> Locator<'m> {
         self.map
     }
 
-    /// Returns the location of a point. Edges are named by the half-edge to the right, or straight up. O(log n) expected.
+    /// Returns the location of a point. An edge is named by the half-edge that runs to the right, or straight up. O(log n)
+    /// expected.
     ///
     /// ```
     /// use twinedge_geometry::Point;

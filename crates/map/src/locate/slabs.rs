@@ -28,7 +28,8 @@ const SAMPLED: usize = 8;
 /// On average, at most one of this number of segments may pass through a wall. Such a segment is drawn twice.
 const PASSING: usize = 8;
 
-/// The slabs of a drawing, a power of two. In lexicographic order, slab i begins with vertex i - 1 of the walls up to i.
+/// The slabs of a drawing; their number is a power of two. In lexicographic order, slab i begins with vertex i - 1 of the walls
+/// and ends before vertex i.
 pub(super) struct Slabs {
     /// The vertices whose walls separate the slabs, in lexicographic order.
     pub(super) walls: Vec<u32>,

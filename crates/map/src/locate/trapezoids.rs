@@ -90,7 +90,6 @@ const RIGHT: usize = 1;
 const PARTS: usize = 4;
 
 pub(super) enum GraphError {
-    /// There are too many nodes.
     TooLarge,
     /// The segments cannot have been disjoint.
     Clash,
@@ -332,7 +331,6 @@ impl TrapezoidalMap<'_> {
         }
     }
 
-    /// Returns the trapezoid behind a wall.
     fn next(&self, at: u32) -> Result<Trapezoid, GraphError> {
         if at == NOTHING { Err(GraphError::Clash) } else { Ok(self.trapezoids[at as usize]) }
     }

@@ -66,7 +66,6 @@ pub(super) struct Chain {
 }
 
 impl Chain {
-    /// Adds a segment with a weight.
     pub(super) fn add(&mut self, [from, to]: [Point; 2], weight: i64) {
         let [from, to] = [from, to].map(|p| Point::new(p.x + 0.0, p.y + 0.0));
         let rises = compare_lexicographic(from, to).is_lt();
@@ -113,7 +112,6 @@ impl Chain {
     }
 }
 
-/// A sum of closed walks, ready for queries.
 #[derive(Debug)]
 pub(super) struct SummedChain(RTree<WeightedSegment>);
 

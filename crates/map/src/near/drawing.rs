@@ -18,7 +18,6 @@ pub(super) struct Drawing<'a> {
     pub(super) labels: Vec<usize>,
 }
 
-/// Sorts a list and removes duplicates.
 pub(super) fn sorted<T: Ord>(mut list: Vec<T>) -> Vec<T> {
     list.sort_unstable();
     list.dedup();
@@ -104,7 +103,6 @@ impl<'a> Drawing<'a> {
         Some(self.row(time, h)).filter(Row::is_live).map(|row| row.twin as usize)
     }
 
-    /// Returns the next half-edge clockwise in the rotation.
     pub(super) fn clockwise(&self, time: Time, h: usize) -> Option<usize> {
         self.twin(time, h).map(|twin| self.row(time, twin).next as usize)
     }
@@ -126,7 +124,6 @@ impl<'a> Drawing<'a> {
         Some(self.row(time, h)).filter(Row::is_live).map(|row| row.label as usize)
     }
 
-    /// Returns the face to the left of a half-edge.
     pub(super) fn face_of(&self, time: Time, h: usize) -> Option<usize> {
         index(self.label(time, self.label_of(time, h)?).face)
     }

@@ -20,7 +20,6 @@ struct Moves {
     sources: Vec<(usize, usize)>,
 }
 
-/// Returns the pairs that begin with a face.
 fn of<T>(pairs: &[(usize, T)], f: usize) -> &[(usize, T)] {
     let rest = &pairs[pairs.partition_point(|(face, _)| *face < f)..];
     &rest[..rest.partition_point(|(face, _)| *face == f)]

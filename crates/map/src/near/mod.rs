@@ -54,7 +54,7 @@
 //! does not list some component around m that lies in f. That component is misplaced, with a smaller lowest point.
 //!
 //! If one change moves boundary components from a face to several faces and combines them with components of another face, the
-//! changes do not determine the old winding number around m. The structure is then fully validated. No operator does this.
+//! changes do not determine the old winding number around m. The structure is then fully validated. No single operator does this.
 
 mod baseline;
 mod chain;

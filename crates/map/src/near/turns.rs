@@ -42,7 +42,8 @@ impl Drawing<'_> {
 }
 
 /// Returns 1 or −1 if the direction of a walk passes the direction of the x axis, counter-clockwise or clockwise, and 0
-/// otherwise. The walk comes along a segment and goes on to a point, by less than half a turn, or clockwise by half a turn.
+/// otherwise. The walk comes along a segment and goes on to a point, turning by less than half a turn, or clockwise by half a
+/// turn.
 fn turn([from, at]: [Point; 2], to: Point) -> i64 {
     let is_upper = |from: Point, to: Point| (to.y, to.x) > (from.y, from.x);
     match (is_upper(from, at), is_upper(at, to)) {

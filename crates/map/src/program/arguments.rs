@@ -269,7 +269,6 @@ impl Argument for RingPick {
         self.0.iter().try_for_each(|at| at.write(f))
     }
 
-    /// Reads all remaining points.
     fn read(words: &mut Words<'_>) -> Result<Self, ParseError> {
         let mut ring = Vec::new();
         while !words.peek().is_empty() {

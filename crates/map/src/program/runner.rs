@@ -202,7 +202,6 @@ impl EditRunner {
         }
     }
 
-    /// Records the added and removed keys.
     fn follow(&mut self, edited: &Edited) {
         let dcel = self.map.dcel();
         let vertices = edited.vertices_made.iter().chain(&edited.vertices_dropped);

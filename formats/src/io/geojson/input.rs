@@ -5,10 +5,8 @@ use std::io::{self, BufRead, BufReader, ErrorKind, Read};
 
 use crate::io::error::TextPlace;
 
-/// The progress of a reader through a text.
 #[derive(Clone, Copy)]
 pub(super) struct Progress {
-    /// The last byte read.
     pub(super) at: TextPlace,
     /// True if only white space has been read.
     pub(super) blank: bool,

@@ -10,7 +10,6 @@ use twinedge_geometry::noding::NodingSummary;
 type Key = (u64, u64);
 type Known = FxHashMap<Key, Box<[f64]>>;
 
-/// The further dimensions of existing points.
 pub(super) struct Further {
     /// The rounding of the points, if they were rounded.
     noding: Option<NodingSummary>,

@@ -31,7 +31,8 @@ pub enum GapsToError {
 }
 
 impl GapsTo {
-    /// Selects the features with this value in a column, or else a new feature with it. Ignores lines and points. O(attributes).
+    /// Selects the features with this value in a column, or else a new feature with it. Features of lines and points are ignored.
+    /// O(attributes).
     ///
     /// ```
     /// use twinedge_formats::layer::clean::GapsTo;

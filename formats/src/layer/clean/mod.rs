@@ -203,7 +203,6 @@ fn receiving(features: &mut Vec<Cow<'_, Feature>>, to: GapsTo) -> Vec<usize> {
     numbers
 }
 
-/// The result of one round of cleaning.
 struct Pass<'a> {
     /// Unchanged features are borrowed.
     features: Vec<Cow<'a, Feature>>,
@@ -340,7 +339,6 @@ fn shapes(feature: &Feature) -> Vec<twinedge_map::Shape> {
     shapes
 }
 
-/// Returns the rings of [`shapes`].
 fn with_touches(feature: &Feature) -> Vec<rebuild::Rings> {
     let rings = |shape| if let twinedge_map::Shape::Polygon(rings) = shape { rings } else { Vec::new() };
     shapes(feature).into_iter().map(rings).collect()

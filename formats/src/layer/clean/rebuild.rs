@@ -90,8 +90,8 @@ fn compare_rings(a: &[Point], b: &[Point]) -> Ordering {
     points.fold(Ordering::Equal, Ordering::then).then(a.len().cmp(&b.len()))
 }
 
-/// Gives rings their former direction: each follows an old ring of its kind (outer or hole) at a common point, or the first one.
-/// O(n).
+/// Gives rings their former direction: each follows an old ring of its kind (outer or hole) that shares a point with it, or else
+/// the first of its kind. O(n).
 pub(super) fn wind_as(before: &[Rings], after: &mut [Rings]) {
     let key = |point: &Point| [point.x.to_bits(), point.y.to_bits()];
     for is_hole in [false, true] {
@@ -174,7 +174,6 @@ impl Bounds {
         });
     }
 
-    /// Returns the box in the form of the member `bbox`.
     pub(in crate::layer) fn json(self) -> Option<serde_json::Value> {
         self.0.map(|bounds| bounds.into_iter().map(json_number).collect())
     }

@@ -60,7 +60,6 @@ impl CleanReport {
         all
     }
 
-    /// Adds the changes in the report of another part of the layer.
     pub(super) fn append(&mut self, other: Self) {
         self.changes.extend(other.changes);
         self.added.extend(other.added);
@@ -107,7 +106,7 @@ impl CleanReport {
     }
 
     /// Sets the remaining findings from an audit of the result by its tiles. If all neighbourhoods of the layer [were
-    /// cleaned](super::clean_neighbourhoods), they equal those of cleaning the whole; otherwise others remain. O(findings).
+    /// cleaned](super::clean_neighbourhoods), they equal the findings of a full cleaning; otherwise others remain. O(findings).
     pub fn judge(&mut self, outcome: &Outcome) {
         let found = outcome.coverage.as_ref();
         let count = |rule| found.map_or(0, |found| found.of(rule).count());

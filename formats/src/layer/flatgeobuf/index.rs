@@ -9,6 +9,7 @@ use super::super::extent::Extent;
 use super::super::model::{Geometry, Header};
 use super::read::{content, geometry_of, header_bytes, header_of, invalid, of_header};
 use super::tree::{NODE, Tree};
+use crate::layer::indexed::Windows;
 use ::flatgeobuf::GeometryType as Kind;
 use std::fs::File;
 use std::io::{BufReader, Read, Seek, SeekFrom};
@@ -22,7 +23,6 @@ struct Node {
     offset: u64,
 }
 
-/// A file with an index.
 pub(in crate::layer) struct IndexedFile {
     file: File,
     length: u64,
@@ -56,12 +56,10 @@ impl Windows for IndexedFile {
         self.root
     }
 
-    /// Returns everything in the file except features and columns.
     fn header(&self) -> Result<Header, ReadError> {
         Ok(of_header(&header_of(&self.header)?, Vec::new()))
     }
 
-    /// Returns true if the file declares that all geometries are points.
     fn has_only_points(&self) -> Result<bool, ReadError> {
         Ok(matches!(header_of(&self.header)?.geometry_type(), Kind::Point | Kind::MultiPoint))
     }
@@ -70,7 +68,6 @@ impl Windows for IndexedFile {
         self.tree.count()
     }
 
-    /// Returns the numbers of bytes read and in total.
     fn bytes(&self) -> [u64; 2] {
         [self.read, self.length]
     }

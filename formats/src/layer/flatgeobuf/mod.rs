@@ -1,8 +1,8 @@
 //! `FlatGeobuf`: a header, an optional index, and successive features.
 //!
 //! The crate `flatgeobuf` provides the tables and their verifier. The framing is read and written here: the crate's reader panics
-//! at values and ends beyond the data and at index nodes with one entry, trusting lengths; its writer sorts features and needs
-//! geometries.
+//! at values and ends beyond the data and at index nodes with one entry, and allocates the claimed length; its writer sorts
+//! features and needs geometries.
 //!
 //! Source: the specification at <https://flatgeobuf.org>, version 3.
 

@@ -7,7 +7,8 @@ use super::tree::Tree;
 /// The number of children of a node, also chosen by other writers.
 pub(super) const NODE_SIZE: u16 = 16;
 
-/// Returns the boxes around all features; `None` if there are none, or one has no position, unfit for an index.
+/// Returns the boxes around all features; `None` if there are none, or a feature has no position, which an index cannot
+/// represent.
 pub(super) fn extents(layer: &Layer) -> Option<Vec<Extent>> {
     let all = layer.features.iter().map(|feature| feature.geometry.as_ref().map(extent).filter(Extent::is_known));
     all.collect::<Option<Vec<_>>>().filter(|all| !all.is_empty())

@@ -144,7 +144,6 @@ fn skip_index(reader: &mut dyn Read, header: &HeaderTable<'_>) -> Result<(), Rea
     if skipped < bytes { Err(content(Place::Header, Cause::Truncated("the index"))) } else { Ok(()) }
 }
 
-/// Converts the header, with the given columns.
 pub(super) fn of_header(header: &HeaderTable<'_>, fields: Vec<Field>) -> Header {
     let text = |text: Option<&str>| text.filter(|text| !text.is_empty()).map(str::to_owned);
     let crs = header.crs().map(|crs| Crs {

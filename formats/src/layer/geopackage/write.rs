@@ -20,7 +20,6 @@ impl From<rusqlite::Error> for WriteError {
 /// "GPKG", and version 1.3.
 const HEAD: &str = "PRAGMA application_id = 1196444487; PRAGMA user_version = 10300; PRAGMA journal_mode = OFF;";
 
-/// The tables of every `GeoPackage`.
 const TABLES: &str = "
 CREATE TABLE gpkg_spatial_ref_sys (
   srs_name TEXT NOT NULL, srs_id INTEGER NOT NULL PRIMARY KEY, organization TEXT NOT NULL,
@@ -49,7 +48,8 @@ UNIT[\"degree\",0.0174532925199433,AUTHORITY[\"EPSG\",\"9122\"]],AUTHORITY[\"EPS
 /// The number of a reference system without its own number.
 const OWN: i64 = 100_000;
 
-/// Returns true if the ids can be primary keys, which order the features: all features have one, and they are ascending integers.
+/// Returns true if the ids can be primary keys, in whose order features are read: all features have one, and they are ascending
+/// integers.
 pub(in crate::layer) fn holds_ids(layer: &Layer) -> bool {
     layer.features.iter().all(|feature| key(feature).is_some()) && layer.features.is_sorted_by(|a, b| key(a) < key(b))
 }
@@ -61,7 +61,6 @@ fn key(feature: &Feature) -> Option<i64> {
     }
 }
 
-/// Writes the layer to a new file.
 pub(in crate::layer) fn write(layer: &Layer, path: &Path) -> Result<(), WriteError> {
     let mut database = Connection::open(path)?;
     database.execute_batch(HEAD)?;
@@ -166,7 +165,6 @@ fn geometries(layer: &Layer) -> impl Iterator<Item = &Geometry> {
 /// The kind that allows all geometries.
 const ANY: &str = "GEOMETRY";
 
-/// Returns the common kind of the geometries, or [`ANY`].
 fn geometry_kind(layer: &Layer) -> String {
     let mut kinds = geometries(layer).map(|geometry| geometry.shape.name());
     let first = kinds.next();

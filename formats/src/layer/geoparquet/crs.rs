@@ -21,8 +21,8 @@ pub(super) fn of_projjson(json: &Json) -> Crs {
     Crs { projjson: (!is_known).then(|| json.clone()), ..crs }
 }
 
-/// Creates the system of Parquet's own geometry type: a number (`srid:2056`, `EPSG:2056`), PROJJSON, or a metadata key; or
-/// `None`.
+/// Creates the system of Parquet's own geometry type: a number (`srid:2056`, `EPSG:2056`), PROJJSON, or its key in the metadata.
+/// `None` for an unknown one.
 pub(super) fn of_native(text: Option<&str>, metadata: impl Fn(&str) -> Option<String>) -> Option<Crs> {
     let Some(text) = text else { return Some(Crs::epsg(WGS_84)) };
     let json = |text: &str| serde_json::from_str::<Json>(text).ok().filter(Json::is_object);
@@ -52,7 +52,6 @@ pub(in crate::layer) fn is_held(crs: &Crs) -> bool {
     !crs.is_other() || member(Some(crs)).is_some_and(|member| !member.is_null())
 }
 
-/// Returns the definition of a system with an EPSG number.
 fn of_code(crs: &Crs) -> Option<Json> {
     let (authority, code) = crs.code.as_ref()?;
     let text = authority.eq_ignore_ascii_case("EPSG").then(|| epsg::projjson(*code))??;

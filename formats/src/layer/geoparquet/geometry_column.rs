@@ -20,7 +20,6 @@ pub(super) struct GeometryColumn {
     pub(super) has_only_points: bool,
 }
 
-/// Returns the metadata of a file under a key.
 pub(super) fn entry_of(file: &FileMetaData, key: &str) -> Option<String> {
     let all = file.key_value_metadata().into_iter().flatten();
     all.into_iter().find(|entry| entry.key == key).and_then(|entry| entry.value.clone())

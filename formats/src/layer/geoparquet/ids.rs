@@ -8,7 +8,6 @@ use parquet::data_type::ByteArray;
 use parquet::file::metadata::KeyValue;
 use serde_json::{Value as Json, json};
 
-/// The key of GDAL's metadata.
 const GDAL: &str = "gdal:schema";
 
 /// The key of the metadata that name a text column of ids.
@@ -32,7 +31,6 @@ pub(super) const fn usual_name(kind: FieldKind) -> &'static str {
     }
 }
 
-/// Returns the metadata that name the column.
 pub(super) fn metadata(kind: FieldKind, column: &str) -> KeyValue {
     match kind {
         FieldKind::Integer => KeyValue::new(GDAL.to_owned(), json!({"fid": column, "columns": {}}).to_string()),

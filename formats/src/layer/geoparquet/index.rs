@@ -9,6 +9,7 @@ use super::super::extent::Extent;
 use super::super::model::Header;
 use super::geometry_column::GeometryColumn;
 use super::read::{ask, content, geometry};
+use crate::layer::indexed::Windows;
 use parquet::column::reader::{ColumnReader, ColumnReaderImpl};
 use parquet::data_type::{ByteArray, ByteArrayType, DataType};
 use parquet::errors::ParquetError;
@@ -36,7 +37,6 @@ struct Group {
     has_geometries: bool,
 }
 
-/// A file with boxes.
 pub(in crate::layer) struct IndexedFile {
     reader: SerializedFileReader<File>,
     column: GeometryColumn,
@@ -70,12 +70,10 @@ impl IndexedFile {
 }
 
 impl Windows for IndexedFile {
-    /// Returns everything in the file except features and columns.
     fn header(&self) -> Result<Header, ReadError> {
         Ok(self.column.header())
     }
 
-    /// Returns true if the file declares that all geometries are points.
     fn has_only_points(&self) -> Result<bool, ReadError> {
         Ok(self.column.has_only_points)
     }
@@ -85,7 +83,7 @@ impl Windows for IndexedFile {
         self.groups.iter().filter(|group| group.extent.may_meet(window)).map(|group| group.rows).sum()
     }
 
-    /// Returns the box around all geometries; the box of nothing if some are not located.
+    /// The box of nothing if some geometries are not located.
     fn extent(&self) -> Extent {
         let mut extents = self.groups.iter().filter(|group| group.has_geometries).map(|group| group.extent);
         let around = |all: Extent, extent: Extent| extent.is_known().then(|| all.with(extent));
@@ -246,7 +244,6 @@ fn damaged(what: &str) -> ParquetError {
     ParquetError::General(what.to_owned())
 }
 
-/// Returns the neighbours of a 32-bit number.
 fn around(number: f32) -> [f64; 2] {
     [number.next_down(), number.next_up()].map(f64::from)
 }
@@ -277,7 +274,8 @@ fn nulls(column: &ColumnChunkMetaData) -> u64 {
     column.statistics().and_then(Statistics::null_count_opt).unwrap_or_default()
 }
 
-/// Returns the box around the rows of a row group, of nothing if some are not located; `None` if the file does not state it.
+/// Returns the box around the rows of a row group, or the box of nothing if some are not located; `None` if the file does not
+/// state it.
 ///
 /// Statistics leave out rows without a box. They do not reveal a box across the antimeridian if other boxes reach farther to both
 /// sides: a geometry outside the box of its row group is refused when it is read.

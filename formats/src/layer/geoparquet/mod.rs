@@ -1,7 +1,8 @@
 //! `GeoParquet`: a Parquet file with a column of geometries in well-known binary, and files with Parquet's own geometry type.
 //!
 //! Rows are read and written in order, one row group at a time. The column of boxes (`covering`) follows from the geometries: it
-//! is left out when a file is read, and rebuilt when one is written. Its statistics select row groups.
+//! is left out when a file is read, and rebuilt when one is written. With its statistics, a window is read without other row
+//! groups.
 //!
 //! Sources: "`GeoParquet` Specification" 1.1.0 (<https://geoparquet.org>); "Parquet Logical Type Definitions", GEOMETRY,
 //! GEOGRAPHY.

@@ -19,7 +19,8 @@ pub(super) fn days(text: &str) -> Option<i32> {
     i32::try_from(days).ok().filter(|_| day(days).as_deref() == Some(text))
 }
 
-/// Returns the moment `nanoseconds` after the beginning of 1970, with the necessary digits: in UTC, or in some local time.
+/// Returns the moment `nanoseconds` after the beginning of 1970, with the necessary digits: in UTC, or in an unspecified local
+/// time.
 pub(super) fn moment(nanoseconds: i128, is_utc: bool) -> Option<String> {
     let seconds = i64::try_from(nanoseconds.div_euclid(SECOND)).ok()?;
     let moment = DateTime::from_timestamp(seconds, nanoseconds.rem_euclid(SECOND) as u32)?;

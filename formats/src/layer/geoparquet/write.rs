@@ -89,7 +89,6 @@ pub(in crate::layer) fn losses(layer: &Layer, found: &mut Vec<Loss>) {
     }
 }
 
-/// Writes the layer to a new file.
 pub(in crate::layer) fn write(layer: &Layer, path: &Path) -> Result<(), WriteError> {
     let columns = columns(layer);
     let mut taken: HashSet<String> = columns.iter().map(|(field, _)| field.name.to_lowercase()).collect();
@@ -174,7 +173,6 @@ fn schema(
     Ok(Arc::new(Type::group_type_builder("schema").with_fields(fields).build()?))
 }
 
-/// Returns the description of the geometry column.
 fn metadata(layer: &Layer, geometry: &str, covering: &str) -> Json {
     let geometries = || layer.features.iter().filter_map(|feature| feature.geometry.as_ref());
     let is_flat = geometries().all(|one| one.dimensions == Dimensions::Xy);

@@ -242,7 +242,6 @@ impl<'a> Making<'a> {
     }
 }
 
-/// Returns the place of each ring among the others.
 fn placed(lines: Vec<Line>) -> Vec<Placed> {
     let extents: Vec<(Extent, f64)> = lines.iter().map(|line| (Extent::of(line), area(line).abs())).collect();
     let around = |inner: usize| {

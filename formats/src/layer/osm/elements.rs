@@ -3,7 +3,6 @@
 use super::filter::TagFilter;
 use rustc_hash::FxHashMap;
 use std::io;
-use std::path::Path;
 use twinedge_geometry::Point;
 
 /// The error of reading a file of `OpenStreetMap`.
@@ -54,14 +53,13 @@ pub(super) enum Role {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Elements {
     pub(super) relations: Vec<Relation>,
-    /// The nodes of ways, in order.
     pub(super) ways: FxHashMap<i64, Vec<i64>>,
     pub(super) nodes: FxHashMap<i64, Point>,
 }
 
 #[cfg(not(feature = "osm"))]
 impl Elements {
-    pub(super) fn read(_: &Path, _: &TagFilter) -> Result<Self, OsmError> {
+    pub(super) fn read(_: &std::path::Path, _: &TagFilter) -> Result<Self, OsmError> {
         Err(OsmError::FeatureOff)
     }
 }

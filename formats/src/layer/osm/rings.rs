@@ -17,7 +17,6 @@ use std::collections::VecDeque;
 use twinedge_geometry::Point;
 use twinedge_geometry::predicates::{Orientation, compare_angle, orientation};
 
-/// A member way with two or more nodes.
 #[derive(Clone, Debug)]
 pub(super) struct Piece<'a> {
     pub(super) way: i64,

@@ -5,7 +5,6 @@ use encoding_rs::{Encoding, WINDOWS_1252};
 use oem_cp::code_table::DECODING_TABLE_CP_MAP;
 use oem_cp::code_table_type::TableType;
 
-/// The words before the number of a code page.
 const PREFIXES: [&str; 7] = ["CP", "OEM", "ANSI", "WINDOWS", "IBM", "ISO", "MS"];
 
 #[derive(Clone, Debug)]

@@ -80,7 +80,6 @@ const fn name(base: Base) -> &'static str {
     }
 }
 
-/// A column of the written table.
 #[derive(Clone, Debug)]
 pub(super) struct Column {
     pub(super) source: Arc<str>,

@@ -14,7 +14,6 @@ const END_OF_COLUMNS: u8 = 0x0D;
 
 const END: u8 = 0x1A;
 
-/// The mark of a deleted record.
 const DELETED: u8 = b'*';
 
 /// The size of the header before the columns, and of each column.
@@ -166,7 +165,6 @@ impl ReadColumn {
     }
 }
 
-/// Refuses columns that do not fit in a table.
 pub(super) fn check_size(columns: &[Column]) -> Result<(), String> {
     let record: usize = columns.iter().map(|column| usize::from(column.width)).sum();
     match (columns.len() + 1) * PART + 1 {
@@ -176,7 +174,6 @@ pub(super) fn check_size(columns: &[Column]) -> Result<(), String> {
     }
 }
 
-/// Writes the table, in UTF-8.
 pub(super) fn write(layer: &Layer, columns: &[Column], out: &mut impl Write) -> io::Result<()> {
     // A table has at least one column.
     let alone = [Column { source: "".into(), name: "FID".to_owned(), kind: b'N', width: 10, decimals: 0 }];

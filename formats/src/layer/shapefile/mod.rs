@@ -1,9 +1,11 @@
-//! Esri Shapefile: geometries in `.shp`, index in `.shx`, attributes in `.dbf`, system in `.prj`, character set in `.cpg`.
+//! Esri Shapefile: geometries in `.shp`, index in `.shx`, attributes in `.dbf`, reference system in `.prj`, character set in
+//! `.cpg`.
 //!
 //! Read and written here because the crate `shapefile` 0.9 cannot write features without geometry, among others, and the crate
 //! `dbase` 0.8 reads columns of type `F` with 32 bits and whole numbers as floating-point numbers.
 //!
-//! Sources: "ESRI Shapefile Technical Description" (1998); dBASE III files by the Library of Congress (fdd000326).
+//! Sources: "ESRI Shapefile Technical Description" (1998); the description of dBASE III files by the Library of Congress
+//! (fdd000326).
 
 mod charset;
 mod columns;
@@ -29,7 +31,6 @@ use storage::ReadSeek;
 pub(super) use columns::losses;
 pub(super) use storage::Storage;
 
-/// The size of the header of `.shp` and `.shx`.
 const HEADER: usize = 100;
 
 const FILE_CODE: [u8; 4] = 9_994_i32.to_be_bytes();
@@ -106,7 +107,6 @@ struct Shapes {
     file: BufReader<Box<dyn ReadSeek>>,
     length: u64,
     at: u64,
-    /// The starts of the records, from `.shx`.
     index: Option<Vec<u64>>,
     buffer: Vec<u8>,
 }

@@ -5,7 +5,6 @@ use std::fs::File;
 use std::io::{self, Cursor, ErrorKind, Read, Seek};
 use std::path::Path;
 
-/// The storage that paths refer to.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::layer) enum Storage<'a> {
     Memory(&'a Files),

@@ -55,7 +55,6 @@ pub(in crate::layer) fn read(
     Ok(header)
 }
 
-/// Returns the name of the object to read.
 pub(super) fn chosen(objects: &Members, wanted: Option<&str>) -> Result<String, ReadError> {
     let name = match wanted {
         Some(name) => objects.contains_key(name).then_some(name),

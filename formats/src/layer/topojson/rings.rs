@@ -97,7 +97,6 @@ impl ArcShape {
 
 struct Reading {
     shape: Vec<ArcShape>,
-    /// True if an object uses the arc.
     used: Vec<bool>,
     topology: ArcTopology,
 }
@@ -248,7 +247,6 @@ impl Reading {
         topology.findings.add(Kind::SAME_SIDE, message, &ends.collect::<Vec<_>>());
     }
 
-    /// Judges the arcs after all objects are read.
     fn finish(self, arcs: &[Line]) -> ArcTopology {
         let Self { shape, used, mut topology } = self;
         let mut vertices: FxHashMap<[u64; 2], u32> = FxHashMap::default();

@@ -6,7 +6,6 @@ use twinedge_geometry::Point;
 use twinedge_geometry::predicates::compare_angle;
 use twinedge_map::Embedding;
 
-/// No half-edge, vertex or face.
 pub(super) const NIL: u32 = u32::MAX;
 
 /// The arcs of the polygons of an object, as a half-edge structure: half-edge `2 · i` is arc `i`, and `2 · i + 1` is arc `i`
@@ -16,7 +15,7 @@ pub(super) const NIL: u32 = u32::MAX;
 /// another around a face: that is the next one in the order around the end. A polygon whose place differs from that of its arcs
 /// therefore has a label that changes along a cycle (B1), and so on.
 ///
-/// Points that repeat the one before them are no bends. Arcs without length, and those that no polygon uses, are no edges.
+/// Points that repeat the one before them are no bends. Arcs without length, and arcs that no polygon uses, are no edges.
 #[derive(Debug, Default)]
 pub struct ArcTopology {
     pub(super) points: Vec<Point>,
@@ -29,14 +28,12 @@ pub struct ArcTopology {
     pub(super) label: Vec<u32>,
     /// True for each half-edge on the outer ring of that polygon.
     pub(super) is_outer: Vec<bool>,
-    /// The next half-edge of each half-edge.
     pub(super) next: Vec<u32>,
     /// A half-edge of the outer cycle of each face.
     pub(super) outer: Vec<u32>,
     /// Faces with a half-edge of each inner cycle, sorted.
     pub(super) inner: Vec<(u32, u32)>,
     pub(super) names: Vec<String>,
-    /// The number of indices in all objects.
     pub(super) indices: u64,
     pub(super) repeated_points: u64,
     pub(super) findings: Findings,

@@ -33,7 +33,6 @@ impl Drops {
         self.add(what, usize::from(condition));
     }
 
-    /// Adds a part that occurs only once.
     pub(super) fn add_owned(&mut self, what: String, count: usize) {
         if count > 0 {
             self.list.push(Dropped { what: Cow::Owned(what), count });

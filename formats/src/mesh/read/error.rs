@@ -120,7 +120,6 @@ fn number_of_points(points: usize) -> String {
 /// The largest number of characters of a file in a message.
 const SHOWN: usize = 32;
 
-/// Returns a piece of a file in printable form.
 pub(super) fn excerpt(bytes: &[u8]) -> Box<str> {
     let start = &bytes[..bytes.len().min(4 * SHOWN)];
     let text = String::from_utf8_lossy(start);

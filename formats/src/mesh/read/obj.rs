@@ -1,7 +1,8 @@
 //! OBJ (Wavefront): <https://paulbourke.net/dataformats/obj/>.
 //!
-//! Read here, since the audit is about the points that the *file* has: the well-kept reader (`tobj`) keeps only points that faces
-//! use, renumbers them for each group and material, and reports errors without line and index. The tests compare with it.
+//! Read here and not by a crate, since the audit is about the points that the *file* has: the well-kept reader (`tobj`) keeps
+//! only points that faces use, renumbers them for each group and material, and reports errors without line and index. The tests
+//! compare with it.
 
 use super::builder::Builder;
 use super::dropped::{Dropped, Drops};

@@ -151,7 +151,6 @@ fn skip(records: &mut Records<'_>, element: &ElementDef) -> Result<(), Failure> 
     Ok(())
 }
 
-/// The part after the header.
 enum Records<'a> {
     Text(Text<'a>),
     Binary { bytes: &'a [u8], at: usize, big_endian: bool },

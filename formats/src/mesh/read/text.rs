@@ -41,7 +41,6 @@ impl<'a> Text<'a> {
         self.bytes.len() - self.at
     }
 
-    /// Returns the next word of this line.
     #[inline]
     pub(super) fn word(&mut self) -> Option<&'a [u8]> {
         loop {
@@ -91,7 +90,6 @@ impl<'a> Text<'a> {
         self.step_over_line_end()
     }
 
-    /// Returns the number of words that are left on this line.
     pub(super) fn skip_words(&mut self) -> usize {
         std::iter::from_fn(|| self.word()).count()
     }

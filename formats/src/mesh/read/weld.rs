@@ -4,7 +4,6 @@ use super::builder::Builder;
 use super::error::{Failure, Position};
 use std::collections::HashMap;
 
-/// Gives every place one number.
 #[derive(Default)]
 pub(super) struct Weld {
     numbers: HashMap<[u64; 3], u32>,

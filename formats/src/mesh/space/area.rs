@@ -3,7 +3,6 @@
 use super::super::{Finding, HalfEdgeMesh};
 use super::places::{Places, axis_of, faces};
 
-/// Returns the number of faces that were checked.
 pub(super) fn check(mesh: &HalfEdgeMesh<'_>, places: &Places<'_>, found: &mut dyn FnMut(Finding)) -> usize {
     let mut checked = 0;
     for face in faces(mesh) {

@@ -45,7 +45,6 @@ impl<'a> Places<'a> {
     }
 }
 
-/// Returns the faces that are not left out.
 pub(super) fn faces(mesh: &HalfEdgeMesh<'_>) -> impl Iterator<Item = usize> {
     (0..mesh.mesh().face_count()).filter(|face| !mesh.is_left_out(*face))
 }

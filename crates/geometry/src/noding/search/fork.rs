@@ -72,7 +72,6 @@ impl Search<'_> {
         })
     }
 
-    /// Adds the finds of another search.
     fn take(&mut self, other: Self) -> Result<(), NodingError> {
         let renamed = self.vertices.take(&other.vertices).ok_or(NodingError::TooMany)?;
         self.found.visits.extend(other.found.visits.into_iter().map(|[segment, v]| [segment, renamed(v)]));

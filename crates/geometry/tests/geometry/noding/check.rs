@@ -14,7 +14,6 @@ pub(crate) fn auto(segments: &[Segment]) -> Noded {
     node(segments, &[], Snap::Auto).expect("finite input")
 }
 
-/// The numbers of vertices, edges and components.
 pub(crate) fn counts(noded: &Noded) -> [usize; 3] {
     let mut parent: Vec<usize> = (0..noded.points.len()).collect();
     let mut components = parent.len();

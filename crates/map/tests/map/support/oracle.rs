@@ -67,8 +67,8 @@ impl Plain {
         }
     }
 
-    /// The location of the point with these coordinates over the scale. Edges are named by the half-edge to the right, or
-    /// straight up.
+    /// The location of the point with these coordinates over the scale. An edge is named by the half-edge that runs to the right,
+    /// or straight up.
     pub(crate) fn locate(&self, p: Whole, scale: i128) -> Located {
         if let Some((key, _)) = self.vertices.iter().find(|(_, at)| times(*at, scale) == p) {
             return Located::Vertex(*key);
