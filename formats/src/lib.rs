@@ -34,15 +34,17 @@
 //! | feature | adds | dependencies |
 //! | --- | --- | --- |
 //! | `obj`, `off`, `stl` (default) | a reader each | none |
-//! | `ply` (default) | the reader for PLY | ply-rs-bw |
-//! | `flatgeobuf`, `geojson`, `geopackage`, `geoparquet`, `shapefile`, `wkb`, `wkt` (default) | the module `layer`, with a reader and a writer each | flatgeobuf, geojson, rusqlite, parquet with chrono, codepage with `encoding_rs` and `oem_cp`, none, wkt |
+//! | `ply` | the reader for PLY | ply-rs-bw |
+//! | `geojson`, `shapefile`, `wkb`, `wkt` (default) | the module `layer`, with a reader and a writer each | geojson, codepage with `encoding_rs` and `oem_cp`, none, wkt |
+//! | `flatgeobuf`, `geopackage`, `geoparquet` | a reader and a writer each | flatgeobuf, rusqlite, parquet with chrono |
 //! | `topojson` (default) | a reader | serde |
-//! | `archive` (default) | layers in zip archives and in gzip data | zip, tempfile |
+//! | `archive` | layers in zip archives and in gzip data | zip, tempfile |
 //! | `epsg` (default) | the definitions of the reference systems of the EPSG; without them only WGS 84 is known by its number | none |
-//! | `osm` (default) | the module `layer::osm`: boundaries of `OpenStreetMap` | osmpbf |
+//! | `osm` | boundaries of `OpenStreetMap`, read by `layer::osm` | osmpbf |
 //! | `postgis` (default) | the module `postgis` | robust, rstar, rustc-hash |
 //! | `svg` (default) | the module `svg` | none |
 //! | `textbook` (default) | the module `textbook` | rustc-hash |
+//! | `full` | all features | all |
 //! | `serde` (default) | [`mesh::MeshAudit`], `postgis::TopologyAudit` and their parts are `Serialize` | serde |
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
