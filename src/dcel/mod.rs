@@ -100,6 +100,7 @@ mod elements;
 mod history;
 /// Imports existing structures.
 mod import {
+    mod error;
     mod faces;
     mod from_view;
     pub(super) mod gather;
@@ -107,8 +108,9 @@ mod import {
     #[cfg(feature = "serde")]
     mod saved;
 
+    pub use error::{ImportError, Outside};
     pub use faces::FacesError;
-    pub use from_view::{ImportError, Keys, Outside};
+    pub use from_view::Keys;
     pub use rotations::{Placement, RotationsError};
 }
 /// The operators. Each completes all its checks before it changes anything.

@@ -478,9 +478,9 @@ impl Store {
         }
     }
 
-    pub(crate) fn set_place(&mut self, b: BoundarySlot, place: u32) {
-        self.note(Written::Place, b.0, self.place[b.index()]);
-        self.place[b.index()] = place;
+    /// Marks a boundary component at its place. The caller puts the place back before the operator ends, so the log has no entry.
+    pub(crate) fn mark_place(&mut self, b: BoundarySlot, mark: u32) {
+        self.place[b.index()] = mark;
     }
 
     /// Makes `b`, a cycle, the outer boundary component of `f`.

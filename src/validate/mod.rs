@@ -122,7 +122,8 @@ mod structure {
     mod parts;
     mod view;
 
-    pub use parts::{Only, Part, Parts};
+    pub use delegate::Only;
+    pub use parts::{Part, Parts};
     pub use view::{BoundaryPlace, HalfEdgeColumns, Link, Start, View};
 }
 

@@ -72,7 +72,7 @@ impl Extent {
 /// The number of slots of one kind.
 ///
 /// With 32 bits, and links stored in 32 bits with nil as all ones, one comparison shows that a link is not nil and that its slot
-/// exists. nil and that its slot exists.
+/// exists.
 #[derive(Clone, Copy)]
 pub(crate) struct Slots {
     pub(crate) count: u32,

@@ -13,7 +13,8 @@ use super::subject::Components;
 use super::subject::{Extent, Subject};
 use alloc::vec::Vec;
 
-/// The rules that are always checked. M1 … M8 are checked on request, and G1 … G5 by `twinedge-map`.
+/// The rules about topology. On surfaces B2, T1, T2 and T4 are not checked. M1 … M8 are checked on request, and G1 … G5 by
+/// `twinedge-map`.
 const TOPOLOGICAL: &[Rule] = &[
     Rule::R1,
     Rule::L1,
@@ -37,15 +38,14 @@ const TOPOLOGICAL: &[Rule] = &[
 /// panic unless the [`View`] does, and it always terminates. At most this number of bytes is in use at a time, not counting kept
 /// violations:
 ///
-/// | | per vertex | per component | per half-edge | per boundary component |
-/// | valid | 16 | 20 | 1 | 1 |
-/// | otherwise | 16 | 72 | 4 | 4 |
-/// | elsewhere | 16 | 72 | 4 | 4 |
+/// | structure | per vertex | per component | per half-edge | per boundary component |
+/// | --- | --- | --- | --- | --- |
+/// | valid | 16 | 20 | 1/8 | 1/8 |
+/// | invalid | 16 | 72 | 4 | 4 |
 ///
-/// A valid structure without border takes 8 per vertex if neighbours have close numbers and vertices store a half-edge. A 1 in the
-/// table stands for one bit. A border loop takes 12. Otherwise a component takes 24 bytes in a list that doubles: 72 while the list is
-/// copied, at most 50 after that. Components are only counted where V2 finds them. M2 and M3 take 4 more per half-edge, 8 per vertex
-/// and 4 per face.
+/// A valid structure without border takes only 8 per vertex if neighbours have close numbers and vertices store a half-edge. A border
+/// loop takes 12. In an invalid structure a component takes 24 bytes in a list that doubles: 72 while the list is copied, at most 50
+/// after that. Components are only counted where V2 finds them. M2 and M3 take 4 more per half-edge, 8 per vertex and 4 per face.
 ///
 /// ```
 /// use twinedge::validate::{Collect, Expectation, Rule, Table, validate};
@@ -78,7 +78,7 @@ pub fn accepts<V: View + ?Sized>(view: &V, expectation: &Expectation) -> bool {
     let Ok(extent) = Extent::of(view, *expectation) else { return false };
     fast_path::accept(Subject { view, extent }).is_some_and(|accepted| {
         let mut findings = findings_of(expectation, Collect::First);
-        enter(Subject { view: &view, extent }, &accepted, &mut findings).is_ok()
+        report_accepted(Subject { view: &view, extent }, &accepted, &mut findings).is_ok()
     })
 }
 
@@ -113,7 +113,7 @@ fn judge<V: View + ?Sized>(
     };
     let subject = Subject { view, extent };
     let ended = match accept(subject) {
-        Some(accepted) => enter(Subject { view: &view, extent }, &accepted, &mut findings),
+        Some(accepted) => report_accepted(Subject { view: &view, extent }, &accepted, &mut findings),
         None => all_rules(subject, &mut findings),
     };
     let ended = ended.map_err(|halt| match halt {
@@ -145,7 +145,7 @@ fn report(expectation: &Expectation, mut findings: Findings, ended: Result<(), U
 }
 
 /// Records the counts of rules R1 … T4, which hold, and runs M1 … M8.
-fn enter(subject: Subject<'_>, accepted: &Accepted, findings: &mut Findings) -> Flow {
+fn report_accepted(subject: Subject<'_>, accepted: &Accepted, findings: &mut Findings) -> Flow {
     let Accepted { vertices, isolated, half_edges, unpaired, faces, outer, inner, components, .. } = *accepted;
     let edges = (half_edges - unpaired) / 2 + unpaired;
     let counts = &mut findings.counts;

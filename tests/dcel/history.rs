@@ -157,6 +157,22 @@ fn an_error_takes_back_all_of_a_change_and_leaves_what_can_be_redone() {
 }
 
 #[test]
+fn a_refused_operator_that_searched_is_not_recorded_and_leaves_what_can_be_redone() {
+    let (mut history, _, made) = with_loop();
+    let h = history.get().half_edge(made.half_edge).unwrap();
+    let (left, right) = (h.boundary(), h.twin().boundary());
+    let around = if left.is_outer() { right.key() } else { left.key() };
+    let face = made.new_face().unwrap();
+    let outside = history.get().unbounded_face().key();
+    history.change("another", |dcel| dcel.add_isolated_vertex(outside)).unwrap();
+    assert!(history.undo());
+    // `move_inner` searches the faces inside the component before it refuses.
+    let refused = history.change("refused", |dcel| Ok::<_, OperatorError>(dcel.move_inner(around, face)));
+    assert_eq!(refused, Ok(Err(OperatorError::InsideItself(around, face))));
+    assert_eq!((history.undo_name(), history.redo_name()), (Some("loop"), Some("another")));
+}
+
+#[test]
 fn a_panic_takes_back_all_of_a_change() {
     let (mut history, v, _) = with_loop();
     let before = bytes(history.get());

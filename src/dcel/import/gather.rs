@@ -3,7 +3,7 @@
 //! The view has been validated, but is not trusted: a link that leads nowhere or a cycle that does not close is
 //! [`ImportError::Inconsistent`], and no loop is longer than the structure.
 
-use super::from_view::{ImportError, Outside};
+use super::error::{ImportError, Outside};
 use crate::dcel::assemble::Assembly;
 use crate::slots::NIL;
 use crate::store::{BoundaryStart, RecordKind, VertexLink};

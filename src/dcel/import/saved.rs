@@ -1,7 +1,7 @@
 //! The serde form of structures.
 
-use super::from_view::ImportError;
-use super::from_view::Outside;
+use super::error::ImportError;
+use super::error::Outside;
 use super::from_view::import;
 use super::gather::Numbers;
 use crate::dcel::structure::Dcel;

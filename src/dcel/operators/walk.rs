@@ -24,10 +24,10 @@ impl Queue {
         if store.place(b) != OUTER {
             return;
         }
-        store.set_place(b, LAST);
+        store.mark_place(b, LAST);
         match &mut self.ends {
             Some((_, last)) => {
-                store.set_place(*last, b.index() as u32);
+                store.mark_place(*last, b.index() as u32);
                 *last = b;
             }
             None => self.ends = Some((b, b)),
@@ -56,7 +56,7 @@ impl Queue {
         let mut at = self.ends.map(|(first, _)| first);
         while let Some(b) = at {
             at = Self::after(store, b);
-            store.set_place(b, OUTER);
+            store.mark_place(b, OUTER);
         }
     }
 }
@@ -139,7 +139,7 @@ impl Dcel {
     pub(super) fn part_with_outside(&mut self, n: HalfEdgeSlot, t: HalfEdgeSlot) -> OneOfTwo {
         let cut = self.store.boundary(n);
         // Both searches treat the cut cycle as seen.
-        self.store.set_place(cut, LAST);
+        self.store.mark_place(cut, LAST);
         let mut origin = Search::along(self.store.next(t), n);
         let mut target = Search::along(self.store.next(n), t);
         let which = loop {
@@ -156,7 +156,7 @@ impl Dcel {
         };
         origin.queue.clear(&mut self.store);
         target.queue.clear(&mut self.store);
-        self.store.set_place(cut, OUTER);
+        self.store.mark_place(cut, OUTER);
         which
     }
 

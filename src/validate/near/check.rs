@@ -1,6 +1,6 @@
 //! The check: everything that the changed records can break.
 
-use super::diff::Row;
+use super::column::Row;
 use super::diff::{Diff, WriteSet};
 use super::links::{HalfEdge, Label, LinkReader, OUTER, Vertex, index, link};
 use crate::validate::expectation::Surface;

@@ -1,6 +1,6 @@
 //! The links of records as rows of 32-bit numbers, and their reader.
 
-use super::diff::Row;
+use super::column::Row;
 use crate::slots::NIL;
 use crate::validate::expectation::Expectation;
 use crate::validate::structure::{BoundaryPlace, Part, Parts, Start, View};

@@ -30,6 +30,7 @@
 
 mod baseline;
 mod check;
+mod column;
 mod diff;
 mod links;
 
@@ -39,8 +40,8 @@ pub mod changes {
     //! A structure with coordinates checks its links [near](super::Baseline::check) a change, reads the differences from [`Diff`], checks
     //! their consequences, and then [moves the baseline on](super::Baseline::commit).
 
+    pub use super::column::{Column, Row, TIMES, Time};
     pub use super::diff::Diff;
-    pub use super::diff::{Column, Row, TIMES, Time};
     pub use super::links::{Face, HalfEdge, Label, Vertex, index};
 }
 

@@ -8,9 +8,10 @@ mod text;
 mod violation;
 
 pub use counts::{Bounds, Counts};
-pub use names::{Field, Named, Record};
+pub use names::{Field, Record};
 #[cfg(feature = "serde")]
 pub use saved::{Described, REPORT_SCHEMA};
+pub use text::Named;
 pub use violation::Violation;
 pub(super) use violation::keep_some_of_each;
 
