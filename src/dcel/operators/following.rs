@@ -82,20 +82,16 @@ impl Dcel {
         steps
     }
 
-    /// The steps for the corners of a half-edge and its twin, each merged into the corner of the half-edge `after` it. If that one is
-    /// also removed, it comes later; if it came before, the value is dropped.
-    fn corners_joined(
-        &self,
-        n: HalfEdgeSlot,
-        after: impl Fn(HalfEdgeSlot) -> HalfEdgeSlot,
-    ) -> impl Iterator<Item = (Kind, Step)> {
+    /// Merges the corners of a half-edge and its twin into the corners of the half-edges `after` them: first the corner that merges
+    /// into the other one, if there is one. A corner is dropped if the corner after it is itself, or is already gone.
+    fn corners_joined(&self, n: HalfEdgeSlot, after: impl Fn(HalfEdgeSlot) -> HalfEdgeSlot) -> [(Kind, Step); 2] {
         let t = self.store.twin(n);
         let [first, last] = if after(t) == n { [t, n] } else { [n, t] };
-        let joined = [(first, [first; 2]), (last, [first, last])].map(|(h, gone)| {
+        [(first, [first; 2]), (last, [first, last])].map(|(h, gone)| {
             let (key, after) = (self.half_edge_data(h), after(h));
-            if gone.contains(&after) { Step::Drop(key) } else { Step::Merge(self.half_edge_data(after), key) }
-        });
-        joined.into_iter().map(|step| (Kind::Corner, step))
+            let is_dropped = gone.contains(&after);
+            (Kind::Corner, if is_dropped { Step::Drop(key) } else { Step::Merge(self.half_edge_data(after), key) })
+        })
     }
 
     pub(super) fn steps_to_split_edge(&self, h: HalfEdgeSlot) -> Steps {
