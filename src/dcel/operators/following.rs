@@ -20,7 +20,7 @@ impl Dcel {
     /// Applies the steps of an operator to the values of attributes, if there are any. If a policy refuses, nothing changes.
     #[inline]
     pub(in crate::dcel) fn follow(&mut self, steps: impl FnOnce(&Self) -> Steps) -> Result<(), OperatorError> {
-        if self.attributes().is_some() { self.change_values(steps) } else { Ok(()) }
+        if self.store.attributes().is_some() { self.change_values(steps) } else { Ok(()) }
     }
 
     #[cold]
