@@ -131,14 +131,14 @@ impl Dcel {
         }
         if ba != bb {
             self.room_for(Room { edges: 1, ..Room::NONE })?;
-            self.follow(|dcel| dcel.steps_to_connect([from, to], None))?;
+            self.follow(move |dcel| dcel.steps_to_connect([from, to], None))?;
             return Ok(self.bridge(from, to));
         }
         self.room_for(Room { edges: 1, boundaries: 1, faces: 1, ..Room::NONE })?;
         if let Some(key) = not_inner {
             return Err(OperatorError::NotInner(key));
         }
-        self.follow(|dcel| dcel.steps_to_connect([from, to], Some(fa)))?;
+        self.follow(move |dcel| dcel.steps_to_connect([from, to], Some(fa)))?;
         Ok(self.split_face(from, to, split))
     }
 

@@ -72,7 +72,7 @@ impl Dcel {
             (true, false) => self.slide(n, t, turn)?,
             (false, true) => self.slide(t, n, turn)?,
             (false, false) => {
-                self.follow(|dcel| dcel.steps_to_flip([n, t], turn))?;
+                self.follow(move |dcel| dcel.steps_to_flip([n, t], turn))?;
                 self.release_end(n);
                 self.release_end(t);
                 match turn {
@@ -134,7 +134,7 @@ impl Dcel {
     /// Slides a loop, which alone forms the cycle on the side of `lone`, along the cycle on the side of `t`.
     fn slide(&mut self, lone: HalfEdgeSlot, t: HalfEdgeSlot, turn: Turn) -> Result<(), OperatorError> {
         let (before, after) = (self.store.prev(t), self.store.next(t));
-        self.follow(|dcel| dcel.steps_to_slide([lone, t], turn))?;
+        self.follow(move |dcel| dcel.steps_to_slide([lone, t], turn))?;
         self.store.set_vertex_link(self.store.origin(t), VertexLink::Leaving(after));
         self.store.join(before, after);
         let (last, first) = match turn {

@@ -77,7 +77,7 @@ impl Dcel {
         let VertexLink::Isolated(b) = self.store.vertex_link(v) else { return Err(OperatorError::NotIsolated(vertex)) };
         let removed =
             RemovedVertex { boundary: self.store.boundary_key(b), face: self.store.face_key(self.store.face(b)) };
-        self.follow(|dcel| dcel.steps_to_remove_vertex(v))?;
+        self.follow(move |dcel| dcel.steps_to_remove_vertex(v))?;
         self.store.unlist(b);
         self.store.remove_boundary(b);
         self.store.remove_vertex(v);

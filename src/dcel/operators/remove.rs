@@ -95,7 +95,7 @@ impl Dcel {
             return self.merge(&around);
         }
         self.room_for(Room { boundaries: 1, ..Room::NONE })?;
-        self.follow(|dcel| dcel.steps_to_remove_edge(n, None))?;
+        self.follow(move |dcel| dcel.steps_to_remove_edge(n, None))?;
         Ok(self.part(&around))
     }
 
@@ -120,7 +120,7 @@ impl Dcel {
             (true, false) => (ft, fn_, false),
             (false, _) => (fn_, ft, false),
         };
-        self.follow(|dcel| dcel.steps_to_remove_edge(n, Some([kept_face, dropped_face])))?;
+        self.follow(move |dcel| dcel.steps_to_remove_edge(n, Some([kept_face, dropped_face])))?;
         let shorter = self.shorter_or_second((Some(n), n), (Some(t), t));
         let (kept, dropped, relabelled) = match shorter {
             OneOfTwo::First => (bt, bn, n),

@@ -52,7 +52,7 @@ impl Dcel {
     pub fn split_edge(&mut self, half_edge: HalfEdgeKey) -> Result<SplitEdge, OperatorError> {
         let h = self.half_edge_slot(half_edge)?;
         self.room_for(Room { vertices: 1, edges: 1, ..Room::NONE })?;
-        self.follow(|dcel| dcel.steps_to_split_edge(h))?;
+        self.follow(move |dcel| dcel.steps_to_split_edge(h))?;
         let t = self.store.twin(h);
         let b = self.store.origin(t);
         let (after_h, before_t) = (self.store.next(h), self.store.prev(t));
@@ -113,7 +113,7 @@ impl Dcel {
         if n == h || m == h {
             return Err(OperatorError::Loop(half_edge));
         }
-        self.follow(|dcel| dcel.steps_to_join(h, n))?;
+        self.follow(move |dcel| dcel.steps_to_join(h, n))?;
         let v = self.store.origin(t);
         let b = self.store.origin(m);
         let (after_n, before_m) = (self.store.next(n), self.store.prev(m));
