@@ -87,6 +87,11 @@ impl Issuer {
         self.free.last().copied().unwrap_or(self.generations.len() as u32)
     }
 
+    /// The generation that the next slot will have.
+    pub(super) fn next_generation(&self) -> u32 {
+        self.free.last().map_or(self.offset, |slot| self.generations[*slot as usize]) | 1
+    }
+
     /// Undoes issuing the last slot for the first time.
     pub(super) fn forget_last(&mut self) {
         self.generations.pop();

@@ -196,19 +196,22 @@ impl Log {
         }));
     }
 
+    /// Returns the generation with which a slot is issued next: `generation`, or a later one if its keys must not be issued again.
+    pub(super) fn allowed(&self, kind: Kind, slot: u32, generation: u32) -> u32 {
+        let floor = self.floors[kind as usize].get(&slot).map(|floor| floor | 1);
+        floor.filter(|floor| is_later(*floor, generation)).unwrap_or(generation)
+    }
+
     /// Logs an issued slot. Its generation grows if the key must not be issued again.
     pub(super) fn issued(&mut self, issuer: &mut Issuer, kind: Kind, slot: u32) {
-        let before = issuer.generation(slot).wrapping_sub(1);
-        let floors = &self.floors[kind as usize];
-        if let Some(floor) = floors.get(&slot).filter(|floor| is_later(**floor, before)) {
-            issuer.set_generation(slot, *floor | 1);
-        }
+        let generation = issuer.generation(slot);
+        issuer.set_generation(slot, self.allowed(kind, slot, generation));
         let end = &mut self.ends[kind as usize];
         if slot as usize == *end {
             *end += 1;
             self.entries.push(Entry { written: Written::New(kind), slot, number: issuer.generation(slot) });
         } else {
-            self.entries.push(Entry { written: Written::Issued(kind), slot, number: before });
+            self.entries.push(Entry { written: Written::Issued(kind), slot, number: generation.wrapping_sub(1) });
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::columns::{BoundarySlot, MOST};
 use super::issuer::Issuer;
+use super::keys::{FaceKey, HalfEdgeKey, VertexKey, key};
 use super::log::{Entry, KINDS, Kind, Way, Written};
 use super::slots::Store;
 use crate::validate::near::WriteSet;
@@ -110,6 +111,27 @@ impl Store {
             log.issued(self.issuer_mut(kind), kind, slot);
             self.log.0 = Some(log);
         }
+    }
+
+    /// The key that the next vertex will have.
+    pub(crate) fn next_vertex(&self) -> VertexKey {
+        key(self.vertices.next(), self.next_generation(Kind::Vertex))
+    }
+
+    /// The keys of the two half-edges that the next edge will have.
+    pub(crate) fn next_edge(&self) -> [HalfEdgeKey; 2] {
+        let h = self.edges.next() << 1;
+        [h, h | 1].map(|h| key(h, self.next_generation(Kind::Edge)))
+    }
+
+    /// The key that the next face will have.
+    pub(crate) fn next_face(&self) -> FaceKey {
+        key(self.faces.next(), self.next_generation(Kind::Face))
+    }
+
+    fn next_generation(&self, kind: Kind) -> u32 {
+        let (slot, generation) = (self.issuer(kind).next(), self.issuer(kind).next_generation());
+        self.log.get().map_or(generation, |log| log.allowed(kind, slot, generation))
     }
 
     #[inline]

@@ -39,7 +39,7 @@ pub(crate) struct Store {
     pub(super) unbounded: FaceSlot,
 
     pub(crate) most: Room,
-    /// The attribute values, if there are any. Operators announce their steps to them.
+    /// The attribute values, if there are any. Operators apply their steps to them before they write.
     pub(super) attributes: Option<Box<Attributes>>,
     /// The log of overwritten numbers, if there is one.
     pub(crate) log: KeptLog,

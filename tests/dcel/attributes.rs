@@ -107,7 +107,7 @@ fn a_refusal_changes_nothing() {
                 assert_eq!(is, was);
                 refused += 1;
             }
-            // The next operator gets no values announced by a refused one.
+            // A refused operator loses no value.
             for (mint, (was, is)) in mints.iter().zip(was.iter().zip(&is)) {
                 let is: BTreeSet<u64> = is.values().flatten().copied().collect();
                 assert!(was.values().flatten().all(|token| is.contains(token) || mint.has_dropped(*token)));

@@ -311,16 +311,9 @@ impl PlanarMap {
     }
 
     /// Applies a step to the values of features, before the features themselves change.
-    pub(super) fn announce_feature(&mut self, step: Step) -> Result<(), OperatorError> {
+    pub(super) fn follow_feature(&mut self, step: Step) -> Result<(), OperatorError> {
         let Some(attributes) = self.dcel.attributes_to_change() else { return Ok(()) };
-        attributes.announce(&[(Kind::Other, step)]).map_err(OperatorError::Refused)
-    }
-
-    pub(super) fn give_made_feature(&mut self, feature: FeatureId) {
-        // A feature is added even if all ids are used up.
-        if let (Ok(()), Some(attributes)) = (self.announce_feature(Step::Make), self.dcel.attributes_mut()) {
-            attributes.settle(&[(Kind::Other, feature.data())]);
-        }
+        attributes.follow(&[(Kind::Other, step)]).map_err(OperatorError::Refused)
     }
 
     /// Runs several edits as one. If a policy refuses one, the earlier ones are undone. A map without attributes undoes nothing.

@@ -100,9 +100,9 @@ impl Dcel {
         let [vertices, edges] = [self.vertex_count() - retained.vertices.len(), self.edge_count() - removed.len()];
         let boundaries = (vertices + 2 * groups.all.len() - 2 - edges).saturating_sub(self.boundary_count());
         self.room_for(Room { boundaries, ..Room::NONE })?;
-        if self.has_attributes() {
+        if self.attributes().is_some() {
             let merged = self.would_merge(&vertex_goes, &goes)?;
-            self.announce_retained(&vertex_goes, &goes, &merged)?;
+            self.follow(|dcel| dcel.steps_to_retain(&vertex_goes, &goes, &merged))?;
         }
         let mut work = Work { groups, goes, vertex_goes, retained };
         work.apply(self, &removed);

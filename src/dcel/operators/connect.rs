@@ -131,18 +131,14 @@ impl Dcel {
         }
         if ba != bb {
             self.room_for(Room { edges: 1, ..Room::NONE })?;
-            if self.has_attributes() {
-                self.announce_connected([from, to], None)?;
-            }
+            self.follow(move |dcel| dcel.steps_to_connect([from, to], None))?;
             return Ok(self.bridge(from, to));
         }
         self.room_for(Room { edges: 1, boundaries: 1, faces: 1, ..Room::NONE })?;
         if let Some(key) = not_inner {
             return Err(OperatorError::NotInner(key));
         }
-        if self.has_attributes() {
-            self.announce_connected([from, to], Some(fa))?;
-        }
+        self.follow(move |dcel| dcel.steps_to_connect([from, to], Some(fa)))?;
         Ok(self.split_face(from, to, split))
     }
 
@@ -225,9 +221,6 @@ impl Dcel {
         let connection =
             Connection::Bridge { kept: self.store.boundary_key(kept), dropped: self.store.boundary_key(dropped) };
         self.store.remove_boundary(dropped);
-        if self.has_attributes() {
-            self.settle_connected(n, None);
-        }
         Connected { half_edge: self.store.half_edge_key(n), connection }
     }
 
@@ -272,9 +265,6 @@ impl Dcel {
                 self.store.unlist(b);
                 self.store.list_inner(g, b);
             }
-        }
-        if self.has_attributes() {
-            self.settle_connected(n, Some(g));
         }
         Connected {
             half_edge: self.store.half_edge_key(n),

@@ -72,17 +72,12 @@ impl Dcel {
             (true, false) => self.slide(n, t, turn)?,
             (false, true) => self.slide(t, n, turn)?,
             (false, false) => {
-                if self.has_attributes() {
-                    self.announce_flipped([n, t], turn)?;
-                }
+                self.follow(move |dcel| dcel.steps_to_flip([n, t], turn))?;
                 self.release_end(n);
                 self.release_end(t);
                 match turn {
                     Turn::CounterClockwise => self.turn_counter_clockwise(n, t),
                     Turn::Clockwise => self.turn_clockwise(n, t),
-                }
-                if self.has_attributes() {
-                    self.settle_turned([n, t]);
                 }
             }
         }
@@ -139,9 +134,7 @@ impl Dcel {
     /// Slides a loop, which alone forms the cycle on the side of `lone`, along the cycle on the side of `t`.
     fn slide(&mut self, lone: HalfEdgeSlot, t: HalfEdgeSlot, turn: Turn) -> Result<(), OperatorError> {
         let (before, after) = (self.store.prev(t), self.store.next(t));
-        if self.has_attributes() {
-            self.announce_slid([lone, t], turn)?;
-        }
+        self.follow(move |dcel| dcel.steps_to_slide([lone, t], turn))?;
         self.store.set_vertex_link(self.store.origin(t), VertexLink::Leaving(after));
         self.store.join(before, after);
         let (last, first) = match turn {
@@ -153,9 +146,6 @@ impl Dcel {
         let v = self.store.origin(first);
         self.store.set_origin(t, v);
         self.store.set_origin(lone, v);
-        if self.has_attributes() {
-            self.settle_turned([lone, t]);
-        }
         Ok(())
     }
 }

@@ -46,13 +46,8 @@ impl Dcel {
     pub fn add_isolated_vertex(&mut self, face: FaceKey) -> Result<AddedVertex, OperatorError> {
         let f = self.face_slot(face)?;
         self.room_for(Room { vertices: 1, boundaries: 1, ..Room::NONE })?;
-        if self.has_attributes() {
-            self.announce_vertex()?;
-        }
+        self.follow(Self::steps_to_add_vertex)?;
         let (v, b) = self.store.add_isolated(f);
-        if self.has_attributes() {
-            self.settle_vertex(v);
-        }
         Ok(AddedVertex { vertex: self.store.vertex_key(v), boundary: self.store.boundary_key(b) })
     }
 
@@ -82,9 +77,7 @@ impl Dcel {
         let VertexLink::Isolated(b) = self.store.vertex_link(v) else { return Err(OperatorError::NotIsolated(vertex)) };
         let removed =
             RemovedVertex { boundary: self.store.boundary_key(b), face: self.store.face_key(self.store.face(b)) };
-        if self.has_attributes() {
-            self.announce_no_vertex(v)?;
-        }
+        self.follow(move |dcel| dcel.steps_to_remove_vertex(v))?;
         self.store.unlist(b);
         self.store.remove_boundary(b);
         self.store.remove_vertex(v);

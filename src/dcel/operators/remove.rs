@@ -95,9 +95,7 @@ impl Dcel {
             return self.merge(&around);
         }
         self.room_for(Room { boundaries: 1, ..Room::NONE })?;
-        if self.has_attributes() {
-            self.announce_removed(n, None)?;
-        }
+        self.follow(move |dcel| dcel.steps_to_remove_edge(n, None))?;
         Ok(self.part(&around))
     }
 
@@ -122,9 +120,7 @@ impl Dcel {
             (true, false) => (ft, fn_, false),
             (false, _) => (fn_, ft, false),
         };
-        if self.has_attributes() {
-            self.announce_removed(n, Some([kept_face, dropped_face]))?;
-        }
+        self.follow(move |dcel| dcel.steps_to_remove_edge(n, Some([kept_face, dropped_face])))?;
         let shorter = self.shorter_or_second((Some(n), n), (Some(t), t));
         let (kept, dropped, relabelled) = match shorter {
             OneOfTwo::First => (bt, bn, n),

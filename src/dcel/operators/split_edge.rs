@@ -52,9 +52,7 @@ impl Dcel {
     pub fn split_edge(&mut self, half_edge: HalfEdgeKey) -> Result<SplitEdge, OperatorError> {
         let h = self.half_edge_slot(half_edge)?;
         self.room_for(Room { vertices: 1, edges: 1, ..Room::NONE })?;
-        if self.has_attributes() {
-            self.announce_split_edge(h)?;
-        }
+        self.follow(move |dcel| dcel.steps_to_split_edge(h))?;
         let t = self.store.twin(h);
         let b = self.store.origin(t);
         let (after_h, before_t) = (self.store.next(h), self.store.prev(t));
@@ -73,9 +71,6 @@ impl Dcel {
         self.store.join(m, t);
         if self.store.vertex_link(b) == VertexLink::Leaving(t) {
             self.store.set_vertex_link(b, VertexLink::Leaving(m));
-        }
-        if self.has_attributes() {
-            self.settle_split_edge(h, n);
         }
         Ok(SplitEdge { vertex: self.store.vertex_key(w), half_edge: self.store.half_edge_key(n) })
     }
@@ -118,9 +113,7 @@ impl Dcel {
         if n == h || m == h {
             return Err(OperatorError::Loop(half_edge));
         }
-        if self.has_attributes() {
-            self.announce_joined(h, n)?;
-        }
+        self.follow(move |dcel| dcel.steps_to_join(h, n))?;
         let v = self.store.origin(t);
         let b = self.store.origin(m);
         let (after_n, before_m) = (self.store.next(n), self.store.prev(m));

@@ -75,9 +75,7 @@ impl Dcel {
             return Err(OperatorError::VerticesDiffer(self.store.vertex_key(v), self.store.vertex_key(other)));
         }
         self.room_for(Room { vertices: 1, edges: 1, ..Room::NONE })?;
-        if self.has_attributes() {
-            self.announce_split_vertex(v, [from, to])?;
-        }
+        self.follow(move |dcel| dcel.steps_to_split_vertex(v, [from, to]))?;
         let b = from.boundary(&self.store);
         let n = self.store.add_edge(v, v, to.boundary(&self.store));
         let t = self.store.twin(n);
@@ -107,9 +105,6 @@ impl Dcel {
                 self.store.set_vertex_link(v, VertexLink::Leaving(t));
                 self.store.set_vertex_link(w, VertexLink::Leaving(n));
             }
-        }
-        if self.has_attributes() {
-            self.settle_split_vertex(w, n);
         }
         Ok(SplitVertex { vertex: self.store.vertex_key(w), half_edge: self.store.half_edge_key(n) })
     }
@@ -182,9 +177,7 @@ impl Dcel {
             OneOfTwo::Second => (origin, target),
             OneOfTwo::First => (target, origin),
         };
-        if self.has_attributes() {
-            self.announce_contracted(n, [kept, dropped])?;
-        }
+        self.follow(move |dcel| dcel.steps_to_contract(n, [kept, dropped]))?;
         self.hand_over(if dropped == target { t } else { n }, kept);
         let stays = [self.store.next(t), self.store.next(n)].into_iter().find(|h| *h != n && *h != t);
         for h in [n, t] {

@@ -3,7 +3,7 @@
 use super::policy::{Attributed, Kind};
 use super::policy::{Merging, Policy, Reason, Splitting};
 use alloc::boxed::Box;
-use alloc::collections::{BTreeSet, VecDeque};
+use alloc::collections::BTreeSet;
 use alloc::sync::Arc;
 use alloc::vec::Vec;
 use core::any::Any;
@@ -12,21 +12,18 @@ use core::mem;
 use hashbrown::HashMap;
 use slotmap::{Key, KeyData, SecondaryMap};
 
-/// One effect of an operator on the records of a kind. New records get their values once they exist, in the order in which
-/// the steps that make them were announced.
+/// One effect of an operator on the records of a kind. A new record comes last.
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub enum Step {
     /// Makes a record.
-    Make,
+    Make(KeyData),
     /// Makes a vertex on the edge between two vertices.
-    Between(KeyData, KeyData),
-    /// Makes the other part of this record.
-    Split(KeyData),
-    /// Moves the value of this record to a new one.
-    Move(KeyData),
-    /// Moves the value of the first record to the second, existing one.
-    Rename(KeyData, KeyData),
+    Between(KeyData, KeyData, KeyData),
+    /// Splits the second record off the first.
+    Split(KeyData, KeyData),
+    /// Moves the value of the first record to the second.
+    Move(KeyData, KeyData),
     /// Merges the second record into the first.
     Merge(KeyData, KeyData),
     /// Drops this record.
@@ -36,11 +33,7 @@ pub enum Step {
 pub(super) trait AnyColumn: Any + Debug + Send + Sync {
     fn id(&self) -> u32;
     fn kind(&self) -> Kind;
-    /// Prepares the values for a step of an operator.
-    fn announce(&mut self, step: Step, is_larger: bool, log: &mut Vec<Saved>) -> Result<(), Reason>;
-    /// Sets the announced value of a new record.
-    fn settle(&mut self, made: KeyData, log: &mut Vec<Saved>);
-    fn forget_announced(&mut self);
+    fn follow(&mut self, step: Step, is_larger: bool, log: &mut Vec<Saved>) -> Result<(), Reason>;
     fn shares(&self) -> bool;
     fn is_by_measure(&self) -> bool;
     fn interpolates(&self) -> bool;
@@ -121,13 +114,12 @@ pub(super) struct Column<K: Attributed, T> {
     index: HashMap<u128, K::Key>,
     /// Further records with the same number, until their numbers are unique again.
     others: HashMap<u128, BTreeSet<K::Key>>,
-    announced: VecDeque<Option<T>>,
 }
 
 impl<K: Attributed, T: Value> Column<K, T> {
     pub(super) fn new(id: u32, policy: Policy<K, T>) -> Self {
         let (index, others) = (HashMap::new(), HashMap::new());
-        Self { id, policy: Arc::new(policy), values: SecondaryMap::new(), index, others, announced: VecDeque::new() }
+        Self { id, policy: Arc::new(policy), values: SecondaryMap::new(), index, others }
     }
 
     pub(super) fn find(&self, value: &T) -> Option<K::Key> {
@@ -186,15 +178,6 @@ impl<K: Attributed, T: Value> Column<K, T> {
         self.policy.making.as_ref().map(|make| make()).transpose()
     }
 
-    /// Assigns the next id to a record without a value.
-    pub(super) fn number(&mut self, key: K::Key, log: &mut Vec<Saved>) {
-        if self.values.contains_key(key) {
-            return;
-        }
-        let value = self.made().unwrap_or(None);
-        self.put(key, value, log);
-    }
-
     /// Splits a value, and returns the other part's.
     fn split(&mut self, key: K::Key, log: &mut Vec<Saved>) -> Result<Option<T>, Reason> {
         let policy = self.policy.clone();
@@ -215,7 +198,8 @@ impl<K: Attributed, T: Value> Column<K, T> {
         })
     }
 
-    fn merge(&mut self, key: K::Key, gone: K::Key, is_larger: bool, log: &mut Vec<Saved>) -> Result<(), Reason> {
+    /// Merges the values of two records, and drops the second one's.
+    fn merge(&mut self, key: K::Key, gone: K::Key, is_larger: bool, log: &mut Vec<Saved>) -> Result<Option<T>, Reason> {
         let (kept, dropped) = (self.values.get(key).cloned(), self.values.get(gone).cloned());
         let merged = match &self.policy.merging {
             Merging::Larger if is_larger => dropped,
@@ -223,8 +207,7 @@ impl<K: Attributed, T: Value> Column<K, T> {
             Merging::Call(merge) => merge(kept, dropped)?,
         };
         self.put(gone, None, log);
-        self.put(key, merged, log);
-        Ok(())
+        Ok(merged)
     }
 }
 
@@ -271,43 +254,29 @@ impl<K: Attributed, T: Value> AnyColumn for Column<K, T> {
         K::KIND
     }
 
-    fn announce(&mut self, step: Step, is_larger: bool, log: &mut Vec<Saved>) -> Result<(), Reason> {
-        let value = match step {
-            Step::Make => self.made()?,
-            Step::Between(a, b) => {
+    fn follow(&mut self, step: Step, is_larger: bool, log: &mut Vec<Saved>) -> Result<(), Reason> {
+        let (key, value) = match step {
+            Step::Make(new) => (new, self.made()?),
+            Step::Between(a, b, new) => {
                 let ends = [a, b].map(|end| self.values.get(end.into()));
-                match (self.policy.between, ends) {
+                let value = match (self.policy.between, ends) {
                     (Some(between), [Some(a), Some(b)]) => Some(between(a, b, 0.5)),
                     _ => self.made()?,
-                }
+                };
+                (new, value)
             }
-            Step::Split(key) => self.split(key.into(), log)?,
-            Step::Move(from) => self.put(from.into(), None, log),
-            Step::Rename(from, to) => {
-                let value = self.put(from.into(), None, log);
-                self.put(to.into(), value, log);
-                return Ok(());
-            }
-            Step::Merge(kept, dropped) => return self.merge(kept.into(), dropped.into(), is_larger, log),
+            Step::Split(old, new) => (new, self.split(old.into(), log)?),
+            Step::Move(from, to) => (to, self.put(from.into(), None, log)),
+            Step::Merge(kept, dropped) => (kept, self.merge(kept.into(), dropped.into(), is_larger, log)?),
             Step::Drop(key) => {
                 if let (Some(value), Some(dropping)) = (self.values.get(key.into()), &self.policy.dropping) {
                     dropping(value)?;
                 }
-                self.put(key.into(), None, log);
-                return Ok(());
+                (key, None)
             }
         };
-        self.announced.push_back(value);
+        self.put(key.into(), value, log);
         Ok(())
-    }
-
-    fn settle(&mut self, made: KeyData, log: &mut Vec<Saved>) {
-        let value = self.announced.pop_front().flatten();
-        self.put(made.into(), value, log);
-    }
-
-    fn forget_announced(&mut self) {
-        self.announced.clear();
     }
 
     fn shares(&self) -> bool {
@@ -371,7 +340,7 @@ impl<K: Attributed, T: Value> AnyColumn for Column<K, T> {
     fn copied(&self) -> Box<dyn AnyColumn> {
         let (policy, values) = (self.policy.clone(), self.values.clone());
         let (index, others) = (self.index.clone(), self.others.clone());
-        Box::new(Self { id: self.id, policy, values, index, others, announced: VecDeque::new() })
+        Box::new(Self { id: self.id, policy, values, index, others })
     }
 
     fn as_any(&self) -> &dyn Any {

@@ -1,7 +1,7 @@
 //! Values that belong to records and follow operators.
 //!
-//! An operator announces its effects on the records of each kind before it writes anything, and reports the new records afterwards.
-//! When a policy refuses, only values have changed, and the log restores them.
+//! An operator applies its steps, by kind of record, before it writes anything. When a policy refuses, only values have changed, and
+//! the log restores them.
 
 mod column;
 mod policy;
@@ -42,8 +42,8 @@ impl<K, T> fmt::Debug for Attribute<K, T> {
     }
 }
 
-/// The attributes of a structure, with their values. A structure around a [`Dcel`](crate::dcel::Dcel) announces effects on its own
-/// records here, and the measures by which values are shared.
+/// The attributes of a structure, with their values. A structure around a [`Dcel`](crate::dcel::Dcel) applies steps on its own records
+/// here, and the measures by which values are shared.
 #[derive(Debug, Default)]
 pub struct Attributes {
     columns: Vec<Box<dyn AnyColumn>>,
@@ -75,7 +75,10 @@ impl Attributes {
             column.put(key, Some(value), &mut self.log);
         }
         for key in records {
-            column.number(key.into(), &mut self.log);
+            if !column.values.contains_key(key.into()) {
+                // A record stays without a number if all are used up.
+                let _ = column.follow(Step::Make(key), false, &mut self.log);
+            }
         }
         self.columns.push(Box::new(column));
         Attribute { id, of: PhantomData }
@@ -109,35 +112,24 @@ impl Attributes {
         Ok(column.put(key, value, &mut self.log))
     }
 
-    /// Prepares the values for an operator. If a policy refuses, nothing changes.
+    /// Applies the steps of an operator. If a policy refuses, nothing changes.
     ///
     /// # Errors
     /// The reason of the policy that refuses.
     #[cold]
-    pub fn announce(&mut self, steps: &[(Kind, Step)]) -> Result<(), &'static str> {
+    pub fn follow(&mut self, steps: &[(Kind, Step)]) -> Result<(), &'static str> {
         let start = self.log.len();
         let larger = self.larger.take();
-        self.columns.iter_mut().for_each(|column| column.forget_announced());
         for (kind, step) in steps {
             let is_larger = matches!(step, Step::Merge(_, dropped) if Some(*dropped) == larger);
             for column in self.columns.iter_mut().filter(|column| column.kind() == *kind) {
-                if let Err(reason) = column.announce(*step, is_larger, &mut self.log) {
+                if let Err(reason) = column.follow(*step, is_larger, &mut self.log) {
                     self.rewind(start);
                     return Err(reason);
                 }
             }
         }
         Ok(())
-    }
-
-    /// Sets the values of new records, given in the order in which they were announced.
-    #[cold]
-    pub fn settle(&mut self, made: &[(Kind, KeyData)]) {
-        for (kind, key) in made {
-            for column in self.columns.iter_mut().filter(|column| column.kind() == *kind) {
-                column.settle(*key, &mut self.log);
-            }
-        }
     }
 
     /// Adds the attributes of another structure. Where both have the same attribute, records keep their own values, and a number
@@ -271,12 +263,12 @@ impl Attributes {
         for (old, parts) in faces {
             match parts.first() {
                 Some((part, _)) => drop(first.insert(*old, *part)),
-                None => all.announce(&[(Kind::Face, Step::Drop(*old))])?,
+                None => all.follow(&[(Kind::Face, Step::Drop(*old))])?,
             }
         }
         let others: BTreeMap<KeyData, Option<KeyData>> = others.iter().copied().collect();
         for (old, _) in others.iter().filter(|(_, new)| new.is_none()) {
-            all.announce(&[(Kind::Other, Step::Drop(*old))])?;
+            all.follow(&[(Kind::Other, Step::Drop(*old))])?;
         }
         all.rename(&|kind, old| match kind {
             Kind::Face => first.get(&old).copied(),
@@ -287,8 +279,7 @@ impl Attributes {
             let mut rest: f64 = parts.iter().map(|(_, area)| area).sum();
             for (part, area) in parts.iter().skip(1) {
                 let largest = parts[0].0;
-                all.announce(&[(Kind::Face, Step::Split(largest))])?;
-                all.settle(&[(Kind::Face, *part)]);
+                all.follow(&[(Kind::Face, Step::Split(largest, *part))])?;
                 all.share(Kind::Face, [largest, *part], (area / rest).clamp(0.0, 1.0));
                 rest -= area;
             }

@@ -32,7 +32,8 @@ impl PlanarMap {
         self.notes.write(|| MapEntry::Feature(None));
         let feature = FeatureId::new(self.names.len() as u32);
         self.names.push(name);
-        self.give_made_feature(feature);
+        // A feature is added even if all ids are used up.
+        let _ = self.follow_feature(Step::Make(feature.data()));
         feature
     }
 
@@ -59,7 +60,7 @@ impl PlanarMap {
     /// changes then.
     pub fn remove_feature(&mut self, feature: FeatureId) -> Result<Option<String>, EditError> {
         self.checked([feature])?;
-        self.announce_feature(Step::Drop(feature.data()))?;
+        self.follow_feature(Step::Drop(feature.data()))?;
         Ok(self.replace_feature(feature, SetId::default()))
     }
 
@@ -84,7 +85,7 @@ impl PlanarMap {
     pub fn merge_features(&mut self, kept: FeatureId, dropped: FeatureId) -> Result<(), EditError> {
         self.checked([kept, dropped])?;
         if kept != dropped {
-            self.announce_feature(Step::Merge(kept.data(), dropped.data()))?;
+            self.follow_feature(Step::Merge(kept.data(), dropped.data()))?;
             let kept = self.features.single(kept);
             self.replace_feature(dropped, kept);
         }
