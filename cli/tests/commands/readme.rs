@@ -8,7 +8,7 @@ fn root() -> PathBuf {
 }
 
 /// The program, as a block calls it.
-const COMMANDS: [&str; 2] = ["$ twinedge ", "$ cargo run --release -- "];
+const COMMANDS: [&str; 2] = ["$ twinedge ", "$ cargo run -- "];
 
 /// A command, and the lines below it.
 struct Sample {
