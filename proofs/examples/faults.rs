@@ -96,8 +96,8 @@ const TESTS: [(&str, Test); 15] = [
 ];
 
 /// Of the tests of the program, the modules that are checks: the first compares two checkers of certificates, the others are about reports and repairs.
-const OF_COMMANDS: [&str; 10] =
-    ["certificate", "audit", "between", "clean_tiles", "cleaning", "findings", "gate", "iso", "mesh", "verdict"];
+const OF_COMMANDS: [&str; 9] =
+    ["certificate", "audit", "between", "clean_tiles", "cleaning", "findings", "gate", "mesh", "verdict"];
 
 /// The packages that faults are planted in, by the root files of their libraries.
 const ROOTS: [&str; 9] = [

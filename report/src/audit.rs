@@ -5,7 +5,6 @@ use crate::error::Error;
 use crate::imported::Imported;
 use crate::input::Input;
 use crate::input_kind::InputKind;
-use crate::iso::Quality;
 use crate::layers::{self, Other};
 use crate::noted::Keep;
 use crate::options::{Edges, Options};
@@ -366,27 +365,6 @@ impl Audited {
     pub fn junit(&self) -> Result<String, Error> {
         // Writing to a string does not fail.
         Ok(junit::junit(self.of_structure()?).unwrap_or_default())
-    }
-
-    /// The measures of ISO 19157 as XML, in the form of ISO/TS 19139. The numbers are those of the findings that are listed, so all are to be.
-    ///
-    /// # Errors
-    /// [`Error::NoReport`] for files of tables, and [`Error::NoMeasures`] for other inputs than maps.
-    pub fn iso_xml(&self) -> Result<String, Error> {
-        // Writing to a string does not fail.
-        Ok(self.quality()?.xml().unwrap_or_default())
-    }
-
-    /// The measures of ISO 19157 as JSON, as those of [`iso_xml`](Self::iso_xml).
-    ///
-    /// # Errors
-    /// Those of [`iso_xml`](Self::iso_xml), and [`Error::Json`].
-    pub fn iso_json(&self) -> Result<Vec<u8>, Error> {
-        Ok(json(&self.quality()?)?)
-    }
-
-    fn quality(&self) -> Result<Quality<'_>, Error> {
-        Quality::of(self.of_structure()?).ok_or(Error::NoMeasures)
     }
 
     /// The report of a single structure.

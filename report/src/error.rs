@@ -148,9 +148,6 @@ reference system"
     /// It is a file of tables, each of which has a verdict of its own.
     #[error("a file of tables has a report in text and JSON only")]
     NoReport,
-    /// It is no map.
-    #[error("the measures of ISO 19157 are for maps")]
-    NoMeasures,
     /// The findings could not be written as a layer.
     #[error(transparent)]
     Write(#[from] layer::WriteError),

@@ -3,11 +3,11 @@
 use twinedge_coverage::{CoverageRule, DefectKind};
 use twinedge_formats::diagnosis::Diagnosis;
 
-pub(crate) const OVERLAP: u32 = 11;
-pub(crate) const FAULTY_CONNECTION: u32 = 21;
-pub(crate) const UNDERSHOOT: u32 = 23;
-pub(crate) const SLIVER: u32 = 25;
-pub(crate) const SELF_INTERSECT: u32 = 26;
+const OVERLAP: u32 = 11;
+const FAULTY_CONNECTION: u32 = 21;
+const UNDERSHOOT: u32 = 23;
+const SLIVER: u32 = 25;
+const SELF_INTERSECT: u32 = 26;
 
 /// The measure that counts a finding, if there is one: of C7 it counts each vertex that is missing.
 pub(crate) fn measure_of(one: &Diagnosis) -> Option<u32> {
@@ -29,6 +29,13 @@ pub(crate) fn measure_of(one: &Diagnosis) -> Option<u32> {
 mod tests {
     use super::{DefectKind, Diagnosis, SELF_INTERSECT, measure_of};
     use twinedge_formats::diagnosis::Flaw;
+
+    #[test]
+    fn each_rule_has_the_number_of_annex_d() {
+        let of = |rule| measure_of(&Diagnosis { rule: Some(rule), ..Diagnosis::default() });
+        let numbers = ["C1", "C2", "C3", "C4", "C5", "C7", "X1"].map(of);
+        assert_eq!(numbers, [Some(11), None, Some(23), Some(25), None, Some(21), None]);
+    }
 
     #[test]
     fn of_invalid_polygons_those_count_that_cross_themselves() {

@@ -36,7 +36,6 @@ mod identity;
 mod imported;
 mod input;
 mod input_kind;
-mod iso;
 mod iso_measure;
 mod judged;
 mod judgement;

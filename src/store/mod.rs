@@ -30,8 +30,6 @@ pub(crate) mod attributes;
 #[forbid(unsafe_code)]
 mod columns;
 #[forbid(unsafe_code)]
-mod inner;
-#[forbid(unsafe_code)]
 mod issuer;
 mod keys;
 #[forbid(unsafe_code)]

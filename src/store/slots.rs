@@ -2,10 +2,9 @@
 
 use super::attributes::Attributes;
 use super::columns::{
-    BoundarySlot, BoundaryStart, FaceSlot, HalfEdgeSlot, MOST, MOST_EDGES, OTHER, OUTER, RecordKind, Room, UNLISTED,
-    VACANT, VertexLink, VertexSlot, column, put, start_bits, vertex_link_bits,
+    BoundarySlot, BoundaryStart, FaceSlot, HalfEdgeSlot, InnerLists, MOST, MOST_EDGES, OTHER, OUTER, RecordKind, Room,
+    UNLISTED, VACANT, VertexLink, VertexSlot, column, put, start_bits, vertex_link_bits,
 };
-use super::inner::InnerLists;
 use super::issuer::{Issuer, structure_offset};
 use super::keys::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey, key, parts};
 use super::log::{KeptLog, Kind, Written};

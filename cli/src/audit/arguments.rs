@@ -37,7 +37,6 @@ use twinedge_report::{Accepted, Edges, Options, ParentColumn};
   twinedge audit counties.shp -o report.html             the map and what was found, for a browser
   twinedge audit countries.geojson --edges geodesic       borders as great circles, as geography types have them
   twinedge audit counties.shp --against states.shp --parent-column STATE
-  twinedge audit parcels.gpkg --iso 19157 -o quality.xml
   twinedge audit bunny.obj --closed --genus 0 --triangles
   twinedge audit --arcs counties.topojson --layer counties
   twinedge audit luxembourg.osm.pbf --boundaries boundary=administrative,admin_level=6
@@ -62,11 +61,6 @@ pub(crate) struct Audit {
     /// `remedy`. Of a topology of PostGIS: the SQL that shows the rows, and the SQL that mends what can be mended in one way only (key `sql`).
     #[arg(long)]
     pub(super) explain: bool,
-
-    /// Write the measures of this standard instead of the report: what metadata of quality need. `-o` says the form, .xml (ISO/TS 19139) or .json;
-    /// without it, XML.
-    #[arg(long, value_name = "STANDARD", value_parser = ["19157"], conflicts_with_all = ["format", "tiles", "memory"])]
-    pub(super) iso: Option<String>,
 
     /// Accept the findings of C1 … C7 and X1 … X6 that are listed in this file, as long as they do not grow: with --coverage they break nothing, and neither do
     /// violations that touch no other finding. The report says which of them no longer occur. `--accept-all` writes such a file.
@@ -161,9 +155,9 @@ impl From<EdgeShape> for Edges {
 }
 
 impl Audit {
-    /// The options; with lists of accepted findings and for measures, all findings are listed.
+    /// The options; with lists of accepted findings, all findings are listed.
     pub(super) fn options(&self, accepted: Option<Accepted>) -> Options {
-        let is_all = self.accept.is_some() || self.accept_all.is_some() || self.iso.is_some();
+        let is_all = self.accept.is_some() || self.accept_all.is_some();
         Options {
             list: if is_all { Some(usize::MAX) } else { self.list },
             accepted,

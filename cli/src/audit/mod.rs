@@ -29,7 +29,7 @@ use twinedge_report::{
     Accepted, Audited, Counted, Division, Input, InputKind, Judged, OfReader, Options, audit, audit_against,
     audit_in_tiles, audit_layer,
 };
-use write::{write, write_iso};
+use write::write;
 
 impl Audit {
     pub(crate) fn run(&self) -> Result<Verdict, Failure> {
@@ -80,11 +80,7 @@ impl Audit {
             let all = audited.accept_all(accepted.as_ref(), &self.reason, &today).map_err(named(&name))?;
             write_file(path, self.map.path(), &all)?;
         }
-        if self.iso.is_some() {
-            write_iso(&audited, &to)?;
-        } else {
-            write(&audited, &to)?;
-        }
+        write(&audited, &to)?;
         Ok(if audited.is_valid() { Verdict::Sound } else { Verdict::Wrong })
     }
 
@@ -125,7 +121,7 @@ impl Audit {
         let seconds = self.timeout.unwrap_or_default();
         let why = format!("time was up after {seconds} s");
         let to = self.destination.destination(self.map.path())?;
-        if self.iso.is_some() || matches!(to.format, ReportFormat::Geojson | ReportFormat::Html) {
+        if matches!(to.format, ReportFormat::Geojson | ReportFormat::Html) {
             eprintln!("twinedge: {}: unknown: {why}; nothing is written", plain(&name));
         } else {
             write(&Audited::unfinished(&name, InputKind::Map, &self.options(None), &why), &to)?;

@@ -42,7 +42,7 @@ impl Options {
         match self {
             Self::Snap => asked.map.is_snapped(),
             Self::Coverage => {
-                let of_lists = asked.accept.is_some() || asked.accept_all.is_some() || asked.iso.is_some();
+                let of_lists = asked.accept.is_some() || asked.accept_all.is_some();
                 asked.coverage.is_any() || asked.measured.is_geodesic() || asked.edges.is_some() || of_lists
             }
             Self::Mesh => asked.mesh.is_any(),
@@ -58,7 +58,7 @@ impl Options {
         match self {
             Self::Snap => format!("--snap is for maps, and this is {what}"),
             Self::Coverage => format!(
-                "--coverage, its limits, --accept, --accept-all, --iso, --edges and --geodesic are for maps, and this is {what}"
+                "--coverage, its limits, --accept, --accept-all, --edges and --geodesic are for maps, and this is {what}"
             ),
             Self::Mesh => "is no mesh file (OBJ, OFF, PLY, STL), and the options say what a mesh must be".to_owned(),
             Self::Tiles => format!("--tiles and --memory are for maps, and this is {what}"),

@@ -7,16 +7,6 @@ use crate::output::style::BAD;
 use crate::status::Failure;
 use twinedge_report::Audited;
 
-/// Writes the measures of ISO 19157, in the form that the extension of the output says.
-pub(super) fn write_iso(audited: &Audited, to: &Destination<'_>) -> Result<(), Failure> {
-    match to.format {
-        ReportFormat::Json => to.bytes(&audited.iso_json()?),
-        // Without a file there is no extension.
-        ReportFormat::Junit | ReportFormat::Text => to.bytes(audited.iso_xml()?.as_bytes()),
-        _ => Err(Failure("the measures of ISO 19157 are written as .xml or .json".to_owned())),
-    }
-}
-
 /// Writes an audit. Where a layer or a page goes to a file, a line for people says so.
 pub(super) fn write(audited: &Audited, to: &Destination<'_>) -> Result<(), Failure> {
     match to.format {

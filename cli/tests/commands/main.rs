@@ -19,7 +19,6 @@ mod gate;
 mod help;
 #[cfg(target_os = "linux")]
 mod interrupt;
-mod iso;
 mod journal;
 mod layers;
 mod literature;

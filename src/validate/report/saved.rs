@@ -1,9 +1,8 @@
 //! Reports as documents. Reading refuses reports that no validation could produce.
 
-use super::counts::{Bounds, Counts};
 use super::names::Record;
 use super::violation::Violation;
-use super::{Report, RuleOutcome, Unchecked};
+use super::{Bounds, Counts, Report, RuleOutcome, Unchecked};
 use crate::validate::rule::Rule;
 use alloc::string::String;
 use alloc::vec::Vec;

@@ -2,10 +2,9 @@
 //!
 //! The cause of a hint is more often an incorrect answer of `View::parts`, or a missing method of the view, than broken records.
 
-use super::counts::Counts;
 use super::names::{Field, Names, Number, Record};
 use super::violation::{Sentence, Violation};
-use super::{Report, Unchecked};
+use super::{Counts, Report, Unchecked};
 use crate::validate::rule::Rule;
 use crate::validate::structure::Part;
 use alloc::string::{String, ToString};
