@@ -26,23 +26,12 @@
 //! let loops = imports(&[library], read).unwrap().loops();
 //! assert_eq!(loops[0].to_string(), "2 files import each other:\n  map.rs:1 imports Walk from walk.rs\n  walk.rs:1 imports Map from map.rs\n");
 //! ```
-//!
-//! # The library keeps to its Rust version
-//!
-//! [`let_chains`] finds what clippy's `incompatible_msrv` does not: it knows the functions of the standard library that are too
-//! new, and no syntax.
-//!
-//! # Prose
-//!
-//! [`questions`] finds the comments that begin with a question word, in every language. There are none.
 
 mod graph;
 mod guide;
 mod layers;
-mod let_chains;
 mod modules;
 mod names;
-mod prose;
 mod references;
 mod workspace;
 
@@ -51,9 +40,7 @@ use std::path::Path;
 pub use graph::{Import, Imports, Loop};
 pub use guide::{Missing, missing_paths};
 pub use layers::{LAYERS, Upward, upward};
-pub use let_chains::let_chains;
 pub use modules::Unreadable;
-pub use prose::{QUESTIONS, questions};
 pub use workspace::{Crate, crates, crates_of};
 
 /// All imports between the files of these crates.

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use twinedge_sources::{
-    Crate, Imports, LAYERS, Unreadable, crates, crates_of, imports, let_chains, missing_paths, questions, upward,
+    Crate, Imports, LAYERS, Unreadable, crates, crates_of, imports, missing_paths, upward,
 };
 
 /// The imports of one library, `src/lib.rs` and these files.
@@ -310,28 +310,6 @@ fn what_cargo_lists_is_read_and_what_it_does_not_list_is_refused() {
     .unwrap();
     assert_eq!((listed[0].name.as_str(), listed[0].is_library), ("two_words", true));
     assert_eq!((listed[1].name.as_str(), listed[1].is_library), ("run", false));
-}
-
-#[test]
-fn a_let_joined_to_something_else_is_found_and_nothing_else_is() {
-    let source = "fn f() {
-        if let Some(a) = b { if x && y { } }
-        if x && let Some(a) = b { }
-        if let Some(a) = b && a { }
-        while !found && let Some(a) = b.take(|x| x) { }
-        match a { b if let Some(c) = b && c => 1, d if d && e => { let f = 2; } }
-        let a = b && c;
-        assert!(matches!(a, b if let Some(c) = b && c));
-    }";
-    assert_eq!(let_chains(source).unwrap(), [3, 4, 5, 6, 8]);
-    assert!(let_chains("fn f( {").is_err());
-}
-
-#[test]
-fn comments_that_begin_with_a_question_word_are_found() {
-    let source = "//! Whether it is.\n//! What else.\n\n/// Whatever it is.\nfn f() {\n    /// How many.\n    let x = 1;\n}\n\
-// Of one kind.\n/// Which is another.\n(** Where Coq. *)\n(* What. *)\n# It is.\n# How it goes on.\nlet what = What;\n";
-    assert_eq!(questions(source), [1, 6, 10, 11, 12]);
 }
 
 #[test]

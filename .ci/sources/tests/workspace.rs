@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
-use twinedge_sources::{Crate, Imports, crates, imports, let_chains, missing_paths, questions, upward};
+use twinedge_sources::{Crate, Imports, crates, imports, missing_paths, upward};
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).expect("two folders up").to_path_buf()
@@ -53,57 +53,10 @@ fn no_import_runs_against_the_layers() {
     assert!(upward.is_empty(), "{} imports run against the layers:\n{report}", upward.len());
 }
 
-/// The files below a folder with one of these extensions, with their texts, but for those that are built or fetched.
-fn sources(folder: &Path, extensions: &[&str]) -> Vec<(PathBuf, String)> {
-    let mut waiting = vec![folder.to_path_buf()];
-    let mut found = Vec::new();
-    while let Some(path) = waiting.pop() {
-        if path.is_dir() {
-            let entries = std::fs::read_dir(&path).expect("the folder can be read");
-            let paths = entries.map(|entry| entry.expect("the folder can be read").path());
-            waiting.extend(
-                paths.filter(|path| {
-                    !["target", "node_modules", "build", ".git"].iter().any(|name| path.ends_with(name))
-                }),
-            );
-        } else if path.extension().is_some_and(|found| extensions.iter().any(|extension| found == *extension)) {
-            let text = std::fs::read_to_string(&path).expect("the file can be read");
-            found.push((path, text));
-        }
-    }
-    found
-}
-
 #[test]
 fn every_path_of_the_guide_for_contributors_exists() {
     let root = root();
     let page = std::fs::read_to_string(root.join("CONTRIBUTING.md")).expect("the file can be read");
     let missing = missing_paths(&page, |path| root.join(path).exists());
     assert!(missing.is_empty(), "paths of CONTRIBUTING.md that are not there: {missing:#?}");
-}
-
-#[test]
-fn the_library_and_its_columns_have_no_let_chains() {
-    let files = ["src", "columns/src"].map(|folder| sources(&root().join(folder), &["rs"])).concat();
-    assert!(files.len() > 100, "only {} files were found", files.len());
-    let mut found = String::new();
-    for (path, text) in files {
-        for line in let_chains(&text).expect("every source is Rust") {
-            let _ = writeln!(found, "{}:{line}", path.display());
-        }
-    }
-    assert!(found.is_empty(), "Rust before 1.88 does not know these:\n{found}");
-}
-
-#[test]
-fn no_comment_begins_with_a_question_word() {
-    let files = sources(&root(), &["rs", "js", "mjs", "ts", "py", "v", "ml", "toml", "sh"]);
-    assert!(files.len() > 900, "only {} files were found", files.len());
-    let mut found = String::new();
-    for (path, text) in files {
-        for line in questions(&text) {
-            let _ = writeln!(found, "  {}:{line}", path.display());
-        }
-    }
-    assert!(found.is_empty(), "comments begin with What, Which, How, Where or Whether:\n{found}");
 }
