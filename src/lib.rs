@@ -146,7 +146,10 @@ pub mod dcel;
 #[forbid(unsafe_code)]
 pub mod program;
 
-// Tests the examples of the README with the documentation tests.
+// Tests the examples of these pages with the documentation tests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;
+#[cfg(doctest)]
+#[doc = include_str!("../docs/validate.md")]
+struct ValidatePage;

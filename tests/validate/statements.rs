@@ -1,4 +1,4 @@
-//! Each rule is stated once: the README, the files of the rules, the reference and the diagram repeat the statement, and all
+//! Each rule is stated once: `docs/rules.md`, the files of the rules, the reference and the diagram repeat the statement, and all
 //! names in the documentation of a rule exist.
 
 use std::collections::BTreeSet;
@@ -35,11 +35,11 @@ fn documented() -> Vec<(Rule, String, String, String)> {
 }
 
 #[test]
-fn the_readme_states_each_rule_in_the_same_words() {
-    let readme = read("README.md");
+fn the_page_of_the_rules_states_each_in_the_same_words() {
+    let page = read("docs/rules.md");
     for rule in Rule::ALL {
         let row = format!("| {rule} {} | {} |", rule.name(), rule.statement());
-        assert!(readme.lines().any(|line| line == row), "README.md has no line\n{row}");
+        assert!(page.lines().any(|line| line == row), "docs/rules.md has no line\n{row}");
     }
 }
 
