@@ -63,12 +63,6 @@ pub struct Coverage {
     findings: Vec<Diagnosis>,
     #[serde(skip)]
     has_polygons: bool,
-    /// The part below which a small part of a feature is thin.
-    #[serde(skip)]
-    thinness: f64,
-    /// The number of features with a ring that turns straight back.
-    #[serde(skip)]
-    kickbacks: usize,
     /// The missing vertices, sorted by place, each with the two features of its mismatch.
     #[serde(skip)]
     missing: Vec<(Position, [usize; 2])>,
@@ -146,8 +140,6 @@ impl Coverage {
             findings: Vec::new(),
             missing: Vec::new(),
             has_polygons: imported.read.polygons > 0,
-            thinness: asked.limits.thinness,
-            kickbacks: imported.noted.kickbacks,
             of_input: None,
             // Limits are in the units of the coordinates.
             limits_in: if matches!(units, Units::Geodesic(_)) { " degrees" } else { "" },
@@ -156,12 +148,7 @@ impl Coverage {
 
     /// Nothing was found yet on a map whose edges are great circles. Limits are in metres.
     pub(crate) fn of_great_circles(imported: &Imported, asked: &CoverageOptions) -> Self {
-        Self {
-            ogc_invalid: None,
-            kickbacks: 0,
-            limits_in: " metres",
-            ..Self::empty(imported, asked, &Units::Plane(Units::METRES))
-        }
+        Self { ogc_invalid: None, limits_in: " metres", ..Self::empty(imported, asked, &Units::Plane(Units::METRES)) }
     }
 
     /// Says why nothing but C6 was checked.
@@ -314,16 +301,6 @@ impl Coverage {
     /// Returns true if there is anything that could be a coverage.
     pub(crate) const fn has_polygons(&self) -> bool {
         self.has_polygons
-    }
-
-    /// The width of near misses, the area of slivers, and their thinness.
-    pub(crate) const fn limits(&self) -> (Option<f64>, Option<f64>, f64) {
-        (self.gap_width, self.sliver_area, self.thinness)
-    }
-
-    /// The number of features with a ring that turns straight back.
-    pub(crate) const fn kickbacks(&self) -> usize {
-        self.kickbacks
     }
 
     /// The reason why all rules but C6 could not be checked, if so.

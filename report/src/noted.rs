@@ -82,8 +82,6 @@ pub struct Noted {
     pub(crate) not_finite: Vec<usize>,
     /// The features whose geometry is missing or empty, by number.
     pub(crate) without_geometry: Vec<usize>,
-    /// The number of features that have a ring that turns straight back to the point from which it came.
-    pub(crate) kickbacks: usize,
     /// The number of features that have a line or ring that goes from one side of the antimeridian to the other.
     across_antimeridian: usize,
     /// The first features without geometry, and how many there are.
@@ -112,7 +110,6 @@ impl Noted {
             defects: Vec::new(),
             not_finite: Vec::new(),
             without_geometry: Vec::new(),
-            kickbacks: 0,
             across_antimeridian: 0,
             null: (Vec::new(), 0),
             unique: None,
@@ -155,7 +152,6 @@ impl Noted {
             if !found.is_empty() || !is_finite {
                 self.defects.push((number, found));
             }
-            self.kickbacks += usize::from(feature.shapes.iter().any(turns_back));
         }
         if is_finite && feature.shapes.is_empty() {
             self.without_geometry.push(number);
@@ -333,25 +329,6 @@ pub(crate) fn are_degrees(corners: Option<[Point; 2]>) -> bool {
 /// Returns true if an edge spans more than half of the longitudes, except along a pole, as that of Antarctica does.
 fn goes_around(a: Point, b: Point) -> bool {
     (b.x - a.x).abs() > 180.0 && a.y.abs().min(b.y.abs()) < POLE
-}
-
-/// Returns true if a ring of a polygon turns straight back to the point from which it came. O(points).
-fn turns_back(shape: &Shape) -> bool {
-    let Shape::Polygon(rings) = shape else { return false };
-    rings.iter().any(|ring| {
-        let steps = ring.windows(2).filter(|pair| pair[0] != pair[1]).count();
-        let count = steps + usize::from(ring.first() != ring.last());
-        let mut last = None;
-        // Without those that repeat the one before; around the end, there are two more.
-        let mut distinct = ring.iter().cycle().filter(|point| last.replace(**point) != Some(**point)).take(count + 2);
-        let mut before = [None; 2];
-        count > 2
-            && distinct.any(|point| {
-                let is_back = before[0] == Some(*point);
-                before = [before[1], Some(*point)];
-                is_back
-            })
-    })
 }
 
 /// The rings, lines and points of a shape.

@@ -2,9 +2,7 @@
 
 use std::path::Path;
 
-use twinedge_sources::{
-    Crate, Imports, LAYERS, Unreadable, crates, crates_of, imports, missing_paths, upward,
-};
+use twinedge_sources::{Crate, Imports, LAYERS, Unreadable, crates, crates_of, imports, missing_paths, upward};
 
 /// The imports of one library, `src/lib.rs` and these files.
 fn of(files: &[(&str, &str)]) -> Imports {
