@@ -78,6 +78,7 @@ mod to_map;
 #[cfg(feature = "topojson")]
 pub mod topojson;
 mod unique;
+mod windows;
 #[cfg(feature = "wkb")]
 mod wkb;
 #[cfg(feature = "wkt")]

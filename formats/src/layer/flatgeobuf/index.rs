@@ -9,7 +9,7 @@ use super::super::extent::Extent;
 use super::super::model::{Geometry, Header};
 use super::read::{content, geometry_of, header_bytes, header_of, invalid, of_header};
 use super::tree::{NODE, Tree};
-use crate::layer::indexed::Windows;
+use crate::layer::windows::Windows;
 use ::flatgeobuf::GeometryType as Kind;
 use std::fs::File;
 use std::io::{BufReader, Read, Seek, SeekFrom};

@@ -9,7 +9,7 @@ use super::super::extent::Extent;
 use super::super::model::Header;
 use super::geometry_column::GeometryColumn;
 use super::read::{ask, content, geometry};
-use crate::layer::indexed::Windows;
+use crate::layer::windows::Windows;
 use parquet::column::reader::{ColumnReader, ColumnReaderImpl};
 use parquet::data_type::{ByteArray, ByteArrayType, DataType};
 use parquet::errors::ParquetError;
