@@ -133,7 +133,7 @@ pub fn plant(source: &str, faults: &[(usize, &Fault)]) -> Result<String, FaultEr
     Ok(planted)
 }
 
-/// Returns the text to append to the root file of the library: the function that reads the switch, once, from the
+/// The text to append to the root file of the library: the function that reads the switch, once, from the
 /// environment variable `PLANTED_FAULT`.
 pub const SWITCH: &str = r#"
 pub(crate) fn planted_fault(number: usize) -> bool {
