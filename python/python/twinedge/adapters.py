@@ -145,7 +145,7 @@ def compas_columns(mesh: Any) -> Columns:
     known = all(isinstance(getattr(mesh, name, None), dict) for name in ("halfedge", "face", "vertex"))
     _expect(known, "compas.datastructures.Mesh", mesh)
     halfedge, face = mesh.halfedge, mesh.face
-    # Half-edges and faces may name vertices that are gone: these come last.
+    # Half-edges and faces may name removed vertices: these come last.
     named = chain(mesh.vertex, halfedge, *halfedge.values(), chain.from_iterable(face.values()))
     vertices = [*dict.fromkeys(named)]
     index = {vertex: i for i, vertex in enumerate(vertices)}
@@ -155,7 +155,7 @@ def compas_columns(mesh: Any) -> Columns:
     target = np.array([index[v] for _, v, _ in sides], np.int64)
     label = np.array([-1 if f is None else number.get(f, _DANGLING) for _, _, f in sides], np.int64)
     half_edges = _HalfEdges(len(vertices), origin, target)
-    # Of each side of a face, the vertex to which the side after it leads.
+    # For each side of a face, the vertex to which the next side leads.
     follows = {
         (key, u, v): w
         for key, corners in face.items()
