@@ -64,14 +64,15 @@ impl Target {
     }
 }
 
-/// A layer that was written.
+/// A written layer.
 #[derive(Serialize)]
 pub(crate) struct Written {
     pub(crate) file: NamedFile,
     pub(crate) losses: Vec<String>,
 }
 
-/// Writes a layer; a Shapefile as a zip archive of its files. What the format cannot hold is an error, unless losses are allowed.
+/// Writes a layer; a Shapefile as a zip archive of its files. Content that the format cannot hold is an error, unless
+/// losses are allowed.
 pub(crate) fn write(
     layer: &Layer,
     stem: &str,

@@ -7,7 +7,7 @@ use twinedge::validate::Record;
 /// The reason why a request was refused. The structure is unchanged.
 #[derive(Debug, PartialEq, Eq, Error)]
 pub(crate) enum LessonError {
-    /// The request has another form than any operation.
+    /// The request has the form of no operation.
     #[error("{0}")]
     Request(String),
     /// There is no record with this index.
@@ -25,7 +25,7 @@ pub(crate) enum LessonError {
     /// The value is no link to such a record.
     #[error("`{value}` is no value of {field}: {expected}")]
     Value {
-        /// The text that was given.
+        /// The given text.
         value: String,
         /// The field.
         field: String,
@@ -35,7 +35,7 @@ pub(crate) enum LessonError {
 }
 
 impl LessonError {
-    /// The error of an operator. The records that it names have the names of the tables.
+    /// Returns the error of an operator, with the records named as in the tables.
     pub(crate) fn operator(error: OperatorError, dcel: &Dcel) -> Self {
         let mut text = error.to_string();
         for (key, record) in crate::state::keys(dcel) {
@@ -44,7 +44,7 @@ impl LessonError {
         Self::Operator(text)
     }
 
-    /// The code that JavaScript throws it with.
+    /// Returns the code with which JavaScript throws the error.
     pub(crate) const fn code(&self) -> &'static str {
         match self {
             Self::Request(_) | Self::NoRecord(_) | Self::NoField(..) | Self::Value { .. } => "option",
