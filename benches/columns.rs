@@ -16,11 +16,10 @@ const N: u32 = 500;
 struct Torus {
     /// Origin, twin, next, prev and face of each half-edge.
     records: Vec<[u32; 5]>,
-    /// The links of `Structs`, field by field.
+    /// The links of `records`, field by field.
     fields: [Vec<u32>; 5],
     /// The half-edge that vertex `v` keeps, and the half-edge that face `v` keeps.
     kept: Vec<u32>,
-    /// The numbers of the faces.
     faces: Vec<u32>,
     live: Vec<bool>,
 }

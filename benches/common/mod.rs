@@ -79,7 +79,6 @@ impl PlainArrays {
 
 /// The links of a `Dcel` in the form of meshes: half-edges that name their face, with a border in place of the
 /// unbounded face, or without.
-/// or without.
 pub struct Mesh {
     origin: Vec<u32>,
     twin: Vec<u32>,

@@ -123,7 +123,6 @@ impl Answers {
         Ok(answers)
     }
 
-    /// Returns the columns.
     pub(crate) fn columns(&self) -> [Option<Column<'_, AtomicI64>>; Link::KINDS] {
         Link::ALL.map(|link| self.columns[link as usize].as_ref().map(|column| Column::new(column)))
     }

@@ -145,7 +145,6 @@ impl Cells {
         Ok(flags)
     }
 
-    /// Returns the number of cells.
     pub(crate) const fn count(&self) -> usize {
         self.count
     }

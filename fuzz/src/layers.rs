@@ -2,7 +2,6 @@
 
 use twinedge_formats::layer::{Format, Layer, ReadOptions, read_layer, write};
 
-/// A written layer.
 fn written(layer: &Layer, format: Format) -> Vec<u8> {
     let mut bytes = Vec::new();
     write(layer, &mut bytes, format).expect("memory");

@@ -11,7 +11,7 @@ fn root() -> PathBuf {
 fn cargo(folder: &Path, target: &Path) -> Command {
     let mut cargo = Command::new(env!("CARGO"));
     cargo.current_dir(folder).env("CARGO_TARGET_DIR", target).env("RUSTFLAGS", "--cfg fuzzing");
-    // Without linting: if this test is linted while it is built, the project of a user is not.
+    // If this test is linted while it is built, a user's project is not.
     cargo.env_remove("RUSTC_WORKSPACE_WRAPPER");
     cargo
 }

@@ -515,7 +515,6 @@ fn matrix(
     Ok(done.into_inner().map_err(|_| "a thread panicked")?)
 }
 
-/// The tables in Markdown.
 fn print(checks: &[Check], faults: &[Fault], caught: &BTreeMap<usize, Vec<End>>) {
     println!("| fault | where | caught by | not by | not run |\n| --- | --- | --- | --- | --- |");
     let named = |ends: &[End], test: fn(End) -> bool| -> Vec<String> {

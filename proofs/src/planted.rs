@@ -7,7 +7,6 @@ use twinedge::delegate_view;
 use twinedge::program::{CallOf, Corner, CornerOf, HandleOf, OpKind, Refusal, Subject};
 use twinedge::validate::{Table, View};
 
-/// A field of a record.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Field {
     Origin,
@@ -19,7 +18,6 @@ pub(crate) enum Field {
     Inner,
 }
 
-/// A fault of the subject.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Fault {
     /// The values that the operator writes to this field of older records are lost.

@@ -36,7 +36,7 @@ import twinedge
 from twinedge import tiles
 
 FILES = 8
-#: With limits, the summary of a tile is as large as what was found and what its border cuts, and not as what could be found.
+#: With limits, the size of a tile's summary follows its findings and the cuts of its border, not all possible findings.
 LIMITS = {"gap_width": 0.1, "sliver_area": 1.0}
 COUNTS = ("vertices", "edges", "cycles", "faces", "components", "isolated_vertices")
 

@@ -12,7 +12,7 @@ use twinedge_map::edit::EditError;
 /// The exception raised by the function of a policy.
 pub(crate) type Raised = Arc<Mutex<Option<PyErr>>>;
 
-/// Writes a value.
+/// A function that writes a value.
 pub(crate) type Setting = Box<dyn FnOnce(&mut PlanarMap) -> Result<(), EditError>>;
 
 /// An attribute of unknown type.

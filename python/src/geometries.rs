@@ -27,7 +27,7 @@ pub(crate) struct Native<'py> {
     offsets: Vec<Offsets<'py>>,
     x: PyReadonlyArray1<'py, f64>,
     y: PyReadonlyArray1<'py, f64>,
-    /// Returns the number of geometries.
+    /// The number of geometries.
     length: usize,
     /// True for geometries that are missing.
     missing: Option<PyReadonlyArray1<'py, bool>>,

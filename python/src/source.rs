@@ -99,7 +99,6 @@ impl Source {
         Ok((Input { format, layer, not_finite, ..input }, Some(judged)))
     }
 
-    /// Reads the whole input.
     pub(crate) fn read(self) -> Result<Layer, Failure> {
         let (mut input, _) = self.open()?;
         let options = input.options();

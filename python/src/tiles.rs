@@ -105,7 +105,6 @@ pub(crate) fn bounds_of(feature: &Feature) -> Option<[f64; 4]> {
     feature.shapes.iter().filter_map(of_shape).reduce(joined)
 }
 
-/// Returns the box around two others.
 pub(crate) fn joined(one: [f64; 4], other: [f64; 4]) -> [f64; 4] {
     [one[0].min(other[0]), one[1].min(other[1]), one[2].max(other[2]), one[3].max(other[3])]
 }
@@ -189,7 +188,7 @@ pub(crate) fn summarise<'py>(
         }
         let summary = bytes(Summary::new(&grid, tile, given(), &limits))?;
         let cut = match cuts {
-            // From here on, the map is the map with its edges cut.
+            // Without cuts, the map with its edges cut is the map itself.
             Some(cuts) if cuts.is_empty() => Some(summary.clone()),
             Some(cuts) => Some(bytes(Summary::cut(&grid, tile, given(), &limits, &cuts))?),
             None => None,

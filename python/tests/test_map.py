@@ -119,7 +119,7 @@ def test_a_layer_is_cleaned_and_the_rest_is_the_same_object():
     assert mended.geometry.iloc[2] is OVERLAPPING.geometry.iloc[2] and mended.geometry.iloc[3] is None
     # Heights are kept.
     assert mended.geometry.iloc[0].has_z and shapely.get_coordinates(mended.geometry.iloc[0], include_z=True)[0, 2] == 5
-    # It is a choice who gets it.
+    # The receiving feature is a choice.
     areas = {overlap: twinedge.clean(OVERLAPPING, overlap=overlap).layer.area.iloc[:2].tolist() for overlap in ("first", "last")}
     assert areas["first"] == pytest.approx([2, 2]) and areas["last"] == pytest.approx([1.8, 2.2])
     with pytest.raises(ValueError, match="overlap: .best. is none of inner, larger"):

@@ -16,7 +16,7 @@ import twinedge
 from twinedge import _columns, tiles
 
 LAYER = parcels()
-#: Lines of it run through faults, along borders and beside them.
+#: Lines of it run through faults, along borders and next to them.
 GRID = tiles.Grid((0, 0, 12, 8), 3, 2)
 LIMITS = {"gap_width": 0.6, "lake_width": 2.0, "sliver_area": 0.01}
 

@@ -108,7 +108,7 @@ def test_strides_of_all_kinds_are_read(triangle):
     for column in read_only.values():
         column.flags.writeable = False
     assert twinedge.validate(**read_only, plane=True).valid
-    # The same element again and again: a loop whose only half-edge is its own twin.
+    # One element repeated: a loop whose only half-edge is its own twin.
     same = np.broadcast_to(np.zeros(1, np.int64), 4)
     assert "twin_is_self" in {v.kind for v in twinedge.validate(origin=same, twin=same, next=same).violations}
 

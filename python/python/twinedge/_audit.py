@@ -126,7 +126,7 @@ def audit_faces(
     return Report._told(_twinedge.audit_faces(count, corners, offsets, asked), {"half_edge": Sides(offsets)})
 
 
-#: The text of a geometry with a coordinate that is NaN or infinite, of which JSON has none.
+#: The text of a geometry with a NaN or infinite coordinate, which JSON cannot hold.
 _NOT_FINITE = "NaN"
 
 

@@ -52,9 +52,9 @@ class Columns(NamedTuple):
 
     #: The arguments of :func:`twinedge.validate`: ``origin``, ``twin``, ``next``, ``prev`` and, of a mesh, ``face`` and others.
     links: dict[str, Any]
-    #: The name of each vertex: ``vertices[v]`` is that of vertex ``v`` of a report.
+    #: The name of each vertex: ``vertices[v]`` names vertex ``v`` of a report.
     vertices: list[Any]
-    #: The origins and targets of the half-edges, of shape (h, 2): positions in ``vertices``, negative for what is not there.
+    #: The origins and targets of the half-edges, of shape (h, 2): positions in ``vertices``, negative for missing vertices.
     #: ``[vertices[v] for v in half_edges[h]]`` are the names of the ends of half-edge ``h``; ``report.name(record)`` has the same.
     half_edges: _Array
 

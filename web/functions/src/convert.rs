@@ -27,7 +27,6 @@ struct ConvertOptions {
     lossy: bool,
 }
 
-/// A format to write.
 #[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq)]
 #[serde(rename_all = "lowercase")]
 pub(crate) enum Target {
@@ -64,7 +63,6 @@ impl Target {
     }
 }
 
-/// A written layer.
 #[derive(Serialize)]
 pub(crate) struct Written {
     pub(crate) file: NamedFile,

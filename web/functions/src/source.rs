@@ -26,7 +26,6 @@ impl Buffer {
     }
 }
 
-/// A file with its name.
 #[derive(Debug, Deserialize, Serialize)]
 pub(crate) struct NamedFile {
     pub(crate) name: String,

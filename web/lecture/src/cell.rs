@@ -8,7 +8,7 @@ fn numbered(text: &str, letter: char) -> Option<usize> {
     text.strip_prefix(letter)?.parse().ok()
 }
 
-/// Returns the value of a field, read by a function unless it is `-`, which stands for nil.
+/// The text of a field's value; `-` stands for nil.
 struct Value<'a> {
     text: &'a str,
     field: &'a str,

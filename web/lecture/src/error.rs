@@ -13,7 +13,6 @@ pub(crate) enum LessonError {
     /// There is no record with this index.
     #[error("there is no {0}")]
     NoRecord(Record),
-    /// The operator refuses.
     #[error("{0}")]
     Operator(String),
     /// A link was set by hand.
@@ -25,9 +24,7 @@ pub(crate) enum LessonError {
     /// The value is no link to such a record.
     #[error("`{value}` is no value of {field}: {expected}")]
     Value {
-        /// The given text.
         value: String,
-        /// The field.
         field: String,
         /// The form of its values.
         expected: &'static str,
