@@ -1,10 +1,13 @@
-//! Building `world-50m` from its segments, per distinct segment, beside sorting these segments: the least that any sweep
-//! must do; gathering a grid of squares whose coordinates have few digits or many; and squares inside each other, as polygons
-//! that cover each other and as lines. Noding the diameters of a circle, beside noding their halves. Whole structures at once, per half-edge: a triangulated grid from its faces, beside sorting the sides
-//! of these and beside `from_view` of the same faces with their links; from its rotations; and removing edges by `retain`, beside one by one.
+//! Building `world-50m` from its segments, per distinct segment, against sorting these segments: the least that any
+//! sweep must do. Gathering a grid of squares whose coordinates have few digits or many, and squares inside each other,
+//! as polygons that cover each other and as lines. Noding the diameters of a circle, against noding their halves. Whole
+//! structures at once, per half-edge: a triangulated grid from its faces, against sorting their sides and against
+//! `from_view` of the same faces with their links; from its rotations; and removing edges by `retain`, against one by
+//! one.
 //!
-//! Targets: 400 ns per segment, and 1,500 ns where they are noded first; noded exactly, 1.3 times as long as not noded, as
-//! there is nothing to cut; gathering few digits, 1.5 times as long as all digits; and 60 ns per half-edge from faces. Run with `cargo bench -p twinedge-benches --bench build`.
+//! Targets: 400 ns per segment, and 1,500 ns where they are noded first; noded exactly, 1.3 times as long as not noded,
+//! since there is nothing to cut; gathering few digits, 1.5 times as long as all digits; and 60 ns per half-edge from
+//! faces. Run with `cargo bench -p twinedge-benches --bench build`.
 
 mod common;
 
@@ -114,7 +117,7 @@ fn nesting(criterion: &mut Criterion) {
     group.finish();
 }
 
-/// The diameters of a circle, which all meet in its middle, and their halves, which need no cut.
+/// The diameters of a circle, which all meet in its middle, and their halves, which require no cut.
 fn stars(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("node diameters");
     group.sample_size(10);
@@ -172,7 +175,7 @@ fn bulk(criterion: &mut Criterion) {
     group.bench_function("from_rotations", |b| {
         b.iter(|| Dcel::from_rotations(black_box(&rotations), &[outside]).expect("they are a map"));
     });
-    // Scattered, as far as a multiplication scatters.
+    // Scattered by a multiplication.
     let goes = |h: usize| (h as u64 / 2).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 63 == 0;
     group.bench_function("remove_edge, half of all", |b| {
         b.iter_batched_ref(

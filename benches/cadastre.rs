@@ -4,9 +4,11 @@
 //! cargo run --release -p twinedge-benches --bin cadastre -- 1000000 12 10 > cadastre.geojsonl
 //! ```
 //!
-//! The arguments are the number of parcels, that of the vertices of each (a multiple of 4, from 12 on), and how often each fault is planted. Standard error
-//! has the numbers of vertices and of what an audit must find. After these, `plane` plants no faults by which borders cross or lack
-//! vertices (C7, G4), and `shifted` moves all by half a parcel, for a second layer over the first. Coordinates are small multiples of a power of two, so that midpoints lie on their edges exactly.
+//! The arguments are the number of parcels, the number of vertices of each parcel (a multiple of 4, from 12 on), and
+//! the number of times that each fault is planted. Prints the number of vertices and the expected findings of an audit
+//! to standard error. After these, `plane` plants no faults by which borders cross or lack vertices (C7, G4), and
+//! `shifted` moves everything by half a parcel, for a second layer over the first. Coordinates are small multiples of a
+//! power of two, so that midpoints lie on their edges exactly.
 
 use std::io::{self, BufWriter, Write};
 
@@ -29,11 +31,11 @@ enum Fault {
     Crossing,
 }
 
-/// The faults of parcels of the block; near misses are beside it.
+/// The faults of parcels of the block; near misses are next to it.
 const OF_PARCELS: [Fault; 7] =
     [Fault::Overlap, Fault::Gap, Fault::Sliver, Fault::Duplicate, Fault::Invalid, Fault::Mismatch, Fault::Crossing];
 
-/// A number that looks random: that of splitmix64.
+/// Returns a pseudorandom number, by splitmix64.
 fn mixed(of: [i64; 4]) -> u64 {
     of.into_iter().fold(0, |seed, part| {
         let mut z = (seed ^ part.cast_unsigned()).wrapping_add(0x9e37_79b9_7f4a_7c15);
@@ -55,7 +57,7 @@ fn corner(i: i64, j: i64) -> Place {
     [i * PITCH + x, j * PITCH + y]
 }
 
-/// The middle between two places.
+/// Returns the midpoint of two positions.
 fn middle(p: Place, q: Place) -> Place {
     [0, 1].map(|axis| i64::midpoint(p[axis], q[axis]))
 }
@@ -101,7 +103,7 @@ impl Cadastre {
         ]
     }
 
-    /// The rings of a parcel with a fault on its right side, and of what was planted beside it.
+    /// Returns the rings of a parcel with a fault on its right side, and of any parts planted next to it.
     fn rings(&self, at: Place, fault: Option<Fault>) -> Vec<Vec<Place>> {
         let sides = self.sides(at);
         let mut ring = sides.concat();

@@ -1,10 +1,11 @@
-//! Certificates beside validation: a triangulated grid of 1,000 × 1,000 vertices and 6 million half-edges, as a mesh whose half-edges name
-//! their faces and as a plane subdivision, and the drawing of a map beside the triangulation of the same edges by `spade`.
+//! Certificates against validation: a triangulated grid of 1,000 × 1,000 vertices and 6 million half-edges, as a mesh
+//! whose half-edges name their faces and as a plane subdivision, and the drawing of a map against the triangulation of
+//! the same edges by `spade`.
 //!
-//! Targets: a check takes at most 5 times the floor, L3 alone on plain arrays, and at most 2.6 times on two threads; labels and the
-//! verdict at most 1.6 times what validation takes; labels take at most 12 bytes for each half-edge; a drawing takes at most 1.5 times
-//! the triangulation, and its check at most 60 ns for each edge. The map is `world-50m`, or the file of GeoJSON that
-//! the environment variable `MAP` names.
+//! Targets: a check takes at most 5 times the floor, L3 alone on plain arrays, and at most 2.6 times on two threads.
+//! Labels and the verdict take at most 1.6 times as long as validation. Labels take at most 12 bytes for each
+//! half-edge. A drawing takes at most 1.5 times the triangulation, and its check at most 60 ns for each edge. The map
+//! is `world-50m`, or the GeoJSON file named by the environment variable `MAP`.
 //!
 //! Run with `cargo bench -p twinedge-benches --bench certificate`.
 

@@ -1,5 +1,5 @@
-//! Columns of a torus of 1,000,000 half-edges beside the same links in a view of Rust's own vectors: whole slices, fields of an array of
-//! structs, a vacant slot, records of boundary components; and the forms that are slower.
+//! Columns of a torus of 1,000,000 half-edges against the same links in a view of Rust's own vectors: whole slices,
+//! fields of an array of structs, a vacant slot, records of boundary components; and the slower forms.
 //!
 //! Target: 1.2 times the view. Run with `cargo bench -p twinedge-benches --bench columns`.
 
@@ -11,15 +11,15 @@ use twinedge_columns::{Boundaries, Column, Columns};
 
 const N: u32 = 500;
 
-/// `N × N` squares. Half-edges `4 v` and `4 v + 1` are the edge from vertex `v` to the right, `4 v + 2` and `4 v + 3` that upwards.
+/// `N × N` squares. Half-edges `4 v` and `4 v + 1` are the edge from vertex `v` to the right, `4 v + 2` and `4 v + 3`
+/// the edge upwards.
 struct Torus {
     /// Origin, twin, next, prev and face of each half-edge.
     records: Vec<[u32; 5]>,
-    /// The same, field by field.
+    /// The links of `records`, field by field.
     fields: [Vec<u32>; 5],
-    /// The half-edge that vertex `v` keeps, and the one that face `v` keeps.
+    /// The half-edge that vertex `v` keeps, and the half-edge that face `v` keeps.
     kept: Vec<u32>,
-    /// The numbers of the faces.
     faces: Vec<u32>,
     live: Vec<bool>,
 }
@@ -65,7 +65,7 @@ fn link(value: u32) -> Link {
 }
 
 const EXPECTED: Expectation = Expectation::surface().genus(1);
-/// All but records of boundary components.
+/// All parts except records of boundary components.
 const MESH: Parts = Parts::NONE.with(Part::Prev).with(Part::Leaving).with(Part::Faces);
 
 struct Slices<'a>(&'a Torus, [&'a [u32]; 5]);

@@ -1,5 +1,5 @@
-//! Cutting every country of `world-50m` into convex pieces, beside the constrained Delaunay triangulation of `spade` alone, of the
-//! same vertices and edges.
+//! Cutting every country of `world-50m` into convex pieces, against only the constrained Delaunay triangulation of
+//! `spade`, of the same vertices and edges.
 //!
 //! Target: at most 1.5 times the triangulation. Run with `cargo bench -p twinedge-benches --bench convex`.
 

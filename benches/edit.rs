@@ -1,12 +1,12 @@
-//! Edits of a map, beside building it anew.
+//! Edits of a map, against building it anew.
 //!
-//! - `world-50m`: a point inserted and removed again, searched for and with a hint; a segment from a border to a point inside
-//!   a country, likewise; a line across everything, rounded; and building the whole map, which is what an edit saves.
-//! - `islands`: squares in an ocean, 10 of them and 4,000. Per edge, building costs the same, and so does cutting an island
-//!   in two and joining it again. What is drawn in the ocean is held against all its coast, so it does not.
-//! - `at random places`: operators of topology on a grid that is larger than the caches.
-//! - `a point in and out`, `a bridge in and out`: between 1,000 and 100,000 islands, at a hub with that many edges, in a ring of
-//!   half as many; beside a square in an otherwise empty map. The index is there.
+//! - `world-50m`: a point inserted and removed again, searched for and with a hint; a segment from a border to a point
+//!   inside a country, likewise; a line across everything, rounded; and building the whole map, which an edit saves.
+//! - `islands`: squares in an ocean, 10 of them and 4,000. Per edge, building costs the same, and so does cutting an
+//!   island in two and joining it again. A drawing in the ocean costs more, since it is compared with all of its coast.
+//! - `at random places`: topological operators on a grid that is larger than the caches.
+//! - `a point in and out`, `a bridge in and out`: between 1,000 and 100,000 islands, at a hub with that many edges, in
+//!   a ring of half as many; against a square in an otherwise empty map. The index exists.
 //!
 //! Targets: points and bridges, 5 µs wherever, growing with the logarithm; an isolated vertex, twice as long as splitting an edge. Run with `cargo bench -p twinedge-benches --bench edit`.
 
@@ -21,8 +21,8 @@ use twinedge_geometry::noding::{Snap, node};
 use twinedge_map::edit::At;
 use twinedge_map::{Builder, PlanarMap, Shape};
 
-/// Points inside some faces whose outer boundary is a few dozen edges, each with a half-edge of that boundary: points that
-/// see the target of that half-edge.
+/// Points inside some faces whose outer boundary is a few dozen edges, each with a half-edge of that boundary whose
+/// target the point sees.
 fn inside_points(map: &mut PlanarMap) -> Vec<(Point, HalfEdgeKey)> {
     let mut candidates = Vec::new();
     for h in map.dcel().faces().filter_map(|face| face.outer_half_edge()) {
@@ -114,7 +114,7 @@ fn square(i: u32) -> [Point; 4] {
 /// All edges of all coasts.
 const COAST: u32 = 16_000;
 
-/// A round island with so many edges, on its own.
+/// A round island with `edges` edges, on its own.
 fn coast(island: u32, edges: u32) -> Vec<Point> {
     let (x, y) = (f64::from(island % 64) * 3.0, f64::from(island / 64) * 3.0);
     let turn = std::f64::consts::TAU / f64::from(edges);
@@ -144,7 +144,7 @@ fn islands(criterion: &mut Criterion) {
         group.sample_size(20);
         group.throughput(Throughput::Elements(4 * u64::from(count)));
         group.bench_function("build, per edge", |b| b.iter(|| black_box(build())));
-        // As many edges on few islands as on many.
+        // An equal number of edges on few islands and on many.
         let coasts: Vec<_> = (0..count).map(|i| Shape::Polygon(vec![coast(i, COAST / count)])).collect();
         group.throughput(Throughput::Elements(u64::from(COAST)));
         group.bench_function("build 16,000 edges of coast", |b| {
@@ -179,7 +179,7 @@ fn islands(criterion: &mut Criterion) {
     }
 }
 
-/// Half-edges of a grid of a million vertices, in an order in which none is near the one before.
+/// Half-edges of a grid of a million vertices, in an order with no near neighbours in a row.
 fn random_half_edges(map: &PlanarMap) -> Vec<HalfEdgeKey> {
     let keys: Vec<HalfEdgeKey> = map.dcel().half_edges().map(HalfEdge::key).collect();
     let mut random = Random::seeded(1);
@@ -193,7 +193,7 @@ fn operators(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("at random places");
     group.sample_size(10);
     group.throughput(Throughput::Elements(chosen.len() as u64));
-    // A clone has no room to grow: its columns are moved with the first record that is added, which is not timed.
+    // A clone has no room to grow: the first added record moves its columns, which is not timed.
     let copy = || {
         let mut dcel = map.dcel().clone();
         dcel.split_edge(chosen[0]).expect("of this map");
@@ -225,7 +225,7 @@ fn operators(criterion: &mut Criterion) {
     group.finish();
 }
 
-/// Times points and bridges that are drawn and erased again: ends of bridges, and points near half-edges.
+/// Times points and bridges, drawn and erased again: ends of bridges, and points near half-edges.
 fn in_and_out(criterion: &mut Criterion, name: &str, map: &mut PlanarMap, bridges: &[[At; 2]], points: &[At]) {
     let mut which = bridges.iter().cycle();
     let mut bridge = || {

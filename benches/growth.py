@@ -15,7 +15,7 @@ import sys
 import matplotlib
 
 matplotlib.use("svg")
-# The same picture from the same numbers.
+# Draws identical pictures from identical numbers.
 matplotlib.rcParams.update({"svg.hashsalt": "twinedge", "svg.fonttype": "none", "font.family": "sans-serif"})
 import matplotlib.pyplot as plt  # noqa: E402
 

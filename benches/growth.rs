@@ -1,18 +1,21 @@
-//! Time per half-edge as the map grows, from 10³ half-edges on, each workload beside a peer or a floor in the same run.
+//! Time per half-edge as the map grows, from 10³ half-edges on, each workload against a peer or a floor in the same
+//! run.
 //!
-//! - `validate`: R1 … T4 of a triangulated grid, on one thread and on all, beside one plain pass over the same links.
-//! - `walk the faces`: all face loops of the same grid, beside plain arrays.
-//! - `from faces`: the same grid from its triangles, beside sorting their sides.
-//! - `build`: a triangulation of random points from its segments, on one thread and on all, beside sorting these.
-//! - `node`: random segments of which each crosses about two others, on one thread and on all, beside `i_overlay`'s union of as
-//!   many triangles around them, which cuts, too.
-//! - `index`: a `Locator` of the triangulation, on one thread and on all, beside `spade`'s triangulation of the same points, with
-//!   its hierarchy of hints: easier, as no edge is asked for; `location` has the same with all edges as constraints.
-//! - `locate`: random points in it, beside `spade`, and beside `geo`'s polygons in an R-tree of `rstar`; per point.
-//! - `edit`: an edge of the grid split and joined again, with validation after each (`Audited`), beside none; per operator.
+//! - `validate`: R1 … T4 of a triangulated grid, on one thread and on all, against one plain pass over the same links.
+//! - `walk the faces`: all face loops of the same grid, against plain arrays.
+//! - `from faces`: the same grid from its triangles, against sorting their sides.
+//! - `build`: a triangulation of random points from its segments, on one thread and on all, against sorting these.
+//! - `node`: random segments that each cross about two others, on one thread and on all, against `i_overlay`'s union of
+//!   an equal number of triangles around them, which also cuts.
+//! - `index`: a `Locator` of the triangulation, on one thread and on all, against `spade`'s triangulation of the same
+//!   points, with its hierarchy of hints. `spade`'s is easier, as it has no required edges; `location` has the same
+//!   with all edges as constraints.
+//! - `locate`: random points in it, against `spade`, and against `geo`'s polygons in an R-tree of `rstar`; per point.
+//! - `edit`: an edge of the grid split and joined again, with validation after each (`Audited`), against none; per
+//!   operator.
 //!
-//! Those that take long at 10⁷ half-edges end at 10⁶. `benches/README.md` has the results; `benches/growth.py` makes them of what this
-//! leaves in `target/criterion`. Run with `cargo bench -p twinedge-benches --bench growth`.
+//! Workloads that take long at 10⁷ half-edges end at 10⁶. `benches/README.md` has the results; `benches/growth.py`
+//! makes them from the files in `target/criterion`. Run with `cargo bench -p twinedge-benches --bench growth`.
 
 mod common;
 
@@ -39,7 +42,7 @@ type Hierarchy = ConstrainedDelaunayTriangulation<Point2<f64>, (), (), (), Hiera
 /// Sides of triangulated grids with about 10³ … 10⁷ half-edges.
 const SIDES: [u32; 5] = [13, 41, 129, 408, 1_291];
 
-/// Numbers from 0 to 1 that look random, always the same ones.
+/// Returns pseudorandom numbers from 0 to 1, always the same ones.
 fn random() -> impl FnMut() -> f64 {
     let mut state = 2_026_u64;
     move || {

@@ -1,12 +1,13 @@
-//! Changes with a history: the time of operators and edits as changes that can be undone, of undoing and of redoing them, as multiples
-//! of their time without.
+//! Changes with a history: the time of operators and edits as changes with undo, of undoing and of redoing them, as
+//! multiples of their time without.
 //!
-//! The four are timed in turn, round after round, and the median of the rounds is printed. Operators at random places: an edge
-//! split and joined again, a face split by an edge and merged, an isolated vertex added and removed; on a triangulated grid that
-//! fits into the cache and on one that does not. Edits: an edge erased and drawn again.
+//! The four are timed in turn, round after round, and the median of the rounds is printed. Operators at random places:
+//! an edge split and joined again, a face split by an edge and merged, an isolated vertex added and removed; on a
+//! triangulated grid that fits into the cache and on one that does not. Edits: an edge erased and drawn again.
 //!
-//! Targets: at most 1.3, and for undoing at most 1. They are met by edits, and where operators wait for memory; an operator of 10 to 30 ns in
-//! the cache takes about 3 times as long as a change, and twice to undo. Run with `cargo bench -p twinedge-benches --bench history`.
+//! Targets: at most 1.3, and for undoing at most 1. Edits meet them, and so do operators that wait for memory. An
+//! operator of 10 to 30 ns in the cache takes about 3 times as long as a change, and twice as long to undo. Run with
+//! `cargo bench -p twinedge-benches --bench history`.
 
 mod common;
 
@@ -41,7 +42,7 @@ fn print(name: &str, (nanoseconds, ratios): (f64, Vec<f64>)) {
     println!("{name:44} {nanoseconds:7.0} ns   change {change:4.2}   undo {undo:4.2}   redo {redo:4.2}");
 }
 
-/// A pair of operators, of which the second one takes the first one back.
+/// A pair of operators; the second undoes the first.
 trait Pair {
     type Made: Copy;
     fn make(&self, dcel: &mut Dcel, place: usize) -> Self::Made;
@@ -117,7 +118,7 @@ fn operators<P: Pair>(name: &str, dcel: &Dcel, pair: &P, places: usize) {
     print(name, rounds(2 * places, round));
 }
 
-/// So many of some, far apart.
+/// Returns `count` elements of `all`, far apart.
 fn spread<T: Copy>(all: &[T], count: usize) -> Vec<T> {
     (0..count).map(|i: usize| all[i.wrapping_mul(0x9E37_79B9_7F4A_7C15) % all.len()]).collect()
 }

@@ -1,14 +1,14 @@
 //! Location of points and zones of lines, on `world-50m` (75,863 edges).
 //!
-//! Points: the index beside an R-tree of the polygons' bounding boxes with the even-odd rule for those around the point, which
-//! is what one writes without a subdivision; and the walk from a neighbouring point, without an index. Target: 250 ns for a
-//! random point.
+//! Points: the index against an R-tree of the polygons' bounding boxes, with the even-odd rule for the polygons around
+//! the point, which is the usual way without a subdivision; and the walk from a neighbouring point, without an index.
+//! Target: 250 ns for a random point.
 //!
-//! Lines: the index beside an R-tree of the edges' bounding boxes, asked for the box of the segment, and every edge in turn;
-//! both sort what they find by rounded distance. Target: 20 µs for a segment that meets 30 faces.
+//! Lines: the index against an R-tree of the edges' bounding boxes, queried with the box of the segment, and against
+//! every edge in turn; both sort their results by rounded distance. Target: 20 µs for a segment that meets 30 faces.
 //!
-//! The index: built on one thread and on all, beside a constrained Delaunay triangulation with a hierarchy of hints. Target: no
-//! slower.
+//! The index: built on one thread and on all, against a constrained Delaunay triangulation with a hierarchy of hints.
+//! Target: no slower.
 //!
 //! Run with `cargo bench -p twinedge-benches --bench location`.
 
@@ -28,7 +28,7 @@ use twinedge_map::{Feature, Located, Locator, PlanarMap, QueryLine, Shape, ZoneE
 
 type Hierarchy = ConstrainedDelaunayTriangulation<Point2<f64>, (), (), (), HierarchyHintGenerator<f64>>;
 
-/// Numbers from 0 to 1 that look random, always the same ones.
+/// Returns pseudorandom numbers from 0 to 1, always the same ones.
 fn random() -> impl FnMut() -> f64 {
     let mut state = 50_u64;
     move || {
@@ -115,7 +115,8 @@ fn points(criterion: &mut Criterion) {
     group.finish();
 }
 
-/// Building the index, per half-edge, beside a triangulation with a hierarchy of hints, which also locates in O(log n).
+/// Building the index, per half-edge, against a triangulation with a hierarchy of hints, which also locates in O(log
+/// n).
 fn index(criterion: &mut Criterion) {
     let one = ThreadPoolBuilder::new().num_threads(1).build().expect("a thread can be had");
     for (name, map) in [

@@ -1,6 +1,6 @@
 //! A torus of a million triangles: reading it in every format, joining it, and the whole audit.
 //!
-//! Read beside each other: joining is to take at most three times as long as reading.
+//! Joining must take at most three times as long as reading.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use std::fmt::Write as _;

@@ -1,6 +1,6 @@
-//! Validation after each operator: an edge split and joined again at random places of a triangulated grid of 10³ to 10⁶ edges, on
-//! a `Dcel`, on an `Audited` one, and with a full validation after each operator (on the smallest only). And after each edit: an edge
-//! erased and drawn again on a `PlanarMap`, the same ways.
+//! Validation after each operator: an edge split and joined again at random places of a triangulated grid of 10³ to 10⁶
+//! edges, on a `Dcel`, on an `Audited` one, and with a full validation after each operator (on the smallest only).
+//! Validation after each edit: an edge erased and drawn again on a `PlanarMap`, in the same ways.
 //!
 //! Run with `cargo bench -p twinedge-benches --bench near`.
 
@@ -12,7 +12,7 @@ use std::hint::black_box;
 use twinedge::dcel::{Audited, Dcel, HalfEdgeKey, VertexKey};
 use twinedge_map::PlanarMap;
 
-/// Half-edges at places that are far apart.
+/// Half-edges at places far apart.
 fn places(dcel: &Dcel) -> Vec<HalfEdgeKey> {
     let keys: Vec<HalfEdgeKey> = dcel.edges().map(|h| h.key()).collect();
     (0..1_000).map(|i: usize| keys[i.wrapping_mul(0x9E37_79B9_7F4A_7C15) % keys.len()]).collect()
@@ -68,7 +68,7 @@ fn walls(map: &PlanarMap) -> Vec<(HalfEdgeKey, [VertexKey; 2])> {
     places(map.dcel()).into_iter().map(wall).collect::<BTreeMap<_, _>>().into_iter().collect()
 }
 
-/// Erases an edge and draws it again, by edits that are handed to `edit`.
+/// Erases an edge and draws it again, by edits passed to `edit`.
 fn redraw(
     walls: &mut [(HalfEdgeKey, [VertexKey; 2])],
     mut edit: impl FnMut(&mut dyn FnMut(&mut PlanarMap) -> HalfEdgeKey) -> HalfEdgeKey,

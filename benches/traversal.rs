@@ -1,5 +1,5 @@
-//! Every face loop, and every rotation, of a triangulated grid of 1,000 × 1,000 vertices: the structure beside plain `u32`
-//! arrays with the same numbering.
+//! Every face loop, and every rotation, of a triangulated grid of 1,000 × 1,000 vertices: the structure against plain
+//! `u32` arrays with the same numbering.
 //!
 //! Target: at most 1.15 times the arrays. Run with `cargo bench -p twinedge-benches --bench traversal`.
 

@@ -1,6 +1,6 @@
-//! Validation, per half-edge: R1 … T4 of a triangulated grid of 1,000 × 1,000 vertices beside one plain pass over the same
-//! links, of the same links as a structure of somebody else's with and without parts, border and fault, each beside a scan by index
-//! that reads the same parts, and R1 … G5 of `world-50m`.
+//! Validation, per half-edge: R1 … T4 of a triangulated grid of 1,000 × 1,000 vertices against one plain pass over the
+//! same links; of the same links as a third-party structure with and without parts, border and fault, each against a
+//! scan by index that reads the same parts; and R1 … G5 of `world-50m`.
 //!
 //! Targets: 15 ns per half-edge for R1 … T4; 150 ns with G1 … G5. Run with `cargo bench -p twinedge-benches --bench validation`.
 
@@ -13,8 +13,8 @@ use twinedge::delegate_view;
 use twinedge::validate::reference::rule_by_rule;
 use twinedge::validate::{Collect, Expectation, Link, Only, Part, Parts, View, validate};
 
-/// A structure with one wrong link: the twin, or the next, of one half-edge is the first half-edge. If there is no such half-edge,
-/// nothing is wrong.
+/// A structure with one invalid link: the twin, or the next, of one half-edge is the first half-edge. If that half-edge
+/// does not exist, the structure is unchanged.
 struct Wrong<'a, V> {
     right: &'a V,
     twin: bool,
@@ -57,14 +57,14 @@ fn foreign(criterion: &mut Criterion) {
     group.finish();
 }
 
-/// One wrong link.
+/// One invalid link.
 fn faulty(criterion: &mut Criterion) {
     let map = triangulated_grid(1000);
     let plane = Expectation::plane();
     let mut group = criterion.benchmark_group("validate a grid with one fault");
     group.throughput(Throughput::Elements(map.dcel().half_edge_count() as u64));
     let middle = map.dcel().half_edges().map(|h| h.index()).max().unwrap_or_default() / 2;
-    // The same view without the fault: it, too, asks at each link whether this is the wrong one.
+    // A view without the fault: it also tests each link for being the invalid one.
     let right = Wrong { right: map.dcel(), twin: true, at: usize::MAX };
     group.bench_function("none", |b| {
         b.iter(|| assert!(validate(black_box(&right), &plane, Collect::All).is_valid()));

@@ -1,4 +1,5 @@
-//! The Delaunay triangulation and the Voronoi diagram of 10^5 random points as maps, beside the triangulation of `spade` alone.
+//! The Delaunay triangulation and the Voronoi diagram of 10^5 random points as maps, against only the triangulation of
+//! `spade`.
 //!
 //! Target: at most 3 times the triangulation. Run with `cargo bench -p twinedge-benches --bench voronoi`.
 

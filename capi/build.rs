@@ -1,4 +1,4 @@
-//! The name under which programs that are linked with the shared library look for it.
+//! Sets the name by which linked programs find the shared library.
 
 fn main() {
     if std::env::var("CARGO_CFG_TARGET_OS").as_deref() == Ok("linux") {

@@ -30,7 +30,7 @@ pub fn triangulated_grid(side: u32) -> PlanarMap {
     builder.build().expect("a grid fits")
 }
 
-/// The same links as plain arrays of `u32`, with the same numbering: what a structure without keys would be.
+/// The links of a `Dcel` as plain arrays of `u32`, with the same numbering: a structure without keys.
 pub struct PlainArrays {
     pub origin: Vec<u32>,
     pub twin: Vec<u32>,
@@ -77,7 +77,8 @@ impl PlainArrays {
     }
 }
 
-/// The same links as meshes keep them: half-edges that name their face, with a border where the unbounded face was, or without.
+/// The links of a `Dcel` in the form of meshes: half-edges that name their face, with a border in place of the
+/// unbounded face, or without.
 pub struct Mesh {
     origin: Vec<u32>,
     twin: Vec<u32>,
@@ -138,7 +139,7 @@ impl Mesh {
         mesh
     }
 
-    /// The same without the longest of the faces, which are triangles but for that one: a border is left.
+    /// Leaves out the longest face, which is the only one that is no triangle: this leaves a border.
     pub fn open(mut self) -> Self {
         let mut sides = vec![0_u32; self.outer.len()];
         for face in self.face.iter().filter(|face| **face != u32::MAX) {

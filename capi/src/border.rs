@@ -2,9 +2,10 @@
 //!
 //! # Why it is sound
 //!
-//! A handle is the pointer of a `Box` that this library has made, or null, which is looked for. The caller promises the rest, as the
-//! head of the crate says. A reference lives only while `run` does: no callback of the caller runs meanwhile, as
-//! [`crate::structure::twinedge_validate`] copies the plan first. So a callback that uses the handle again meets no other reference.
+//! A handle is the pointer of a `Box` that this library has made, or null, which is checked. The caller promises the
+//! rest, as the head of the crate says. A reference lives only while `run` does: no callback of the caller runs
+//! meanwhile, as [`crate::structure::twinedge_validate`] copies the plan first. So a callback that uses the handle
+//! again meets no other reference.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -27,7 +28,8 @@ pub(crate) unsafe fn with_mut<T, R>(handle: *mut T, otherwise: R, run: impl FnOn
     guarded(otherwise, || run(object))
 }
 
-/// The same for an object that others may read meanwhile. What is returned may borrow from it: it then lives as long as the object.
+/// Returns the result of `run` for an object that others may read meanwhile, or `otherwise` if the handle is null or
+/// `run` panics. The result may borrow from the object, and then lives as long as it.
 ///
 /// # Safety
 /// The handle is null, or leads to an object that this library has made, and that no call changes meanwhile.
@@ -40,7 +42,7 @@ pub(crate) unsafe fn with<'a, T: 'a, R>(handle: *const T, otherwise: R, run: imp
     guarded(otherwise, || run(object))
 }
 
-/// The handle of an object.
+/// Returns the handle of an object.
 pub(crate) fn handle<T>(object: T) -> *mut T {
     Box::into_raw(Box::new(object))
 }
@@ -48,7 +50,7 @@ pub(crate) fn handle<T>(object: T) -> *mut T {
 /// Frees the object of the handle, if it is not null.
 ///
 /// # Safety
-/// The handle is null, or comes from [`handle`], and is used no more.
+/// The handle is null, or comes from [`handle`], and is not used afterwards.
 pub(crate) unsafe fn free<T>(handle: *mut T) {
     if !handle.is_null() {
         // SAFETY: not null, so it comes from `Box::into_raw`, once.

@@ -1,14 +1,17 @@
-//! Structures of pointers: the caller lists the records, and functions of the caller say which record a link leads to.
+//! Structures of pointers: the caller lists the records, and functions of the caller return the record to which a link
+//! leads.
 //!
-//! Records are numbered in the order in which they are listed. Each function is called once for each record, before the validation;
-//! what it answers is looked up, and is kept as a column. So no answer is ever followed: a pointer that is in no list dangles.
+//! Records are numbered in the order of their lists. Each function is called once for each record, before the
+//! validation; its answer is looked up, and kept as a column. So no answer is ever followed: a pointer that is in no
+//! list dangles.
 //!
 //! # Why it is sound
 //!
-//! A function that is not null is called with what the caller gave for it: its context, and records from its own lists. It promises to
-//! be a function of that type. It is `extern "C-unwind"`, so an exception of C++ that leaves it has a meaning here: Rust's runtime
-//! ends the process, as it can catch none of another language. A panic of a function in Rust is [`Status::Panic`]. No reference to
-//! anything that the function could reach through a handle is held meanwhile.
+//! A function that is not null is called with the caller's arguments: its context, and records from its own lists. It
+//! promises to be a function of that type. It is `extern "C-unwind"`, so an exception of C++ that leaves it has a
+//! meaning here: Rust's runtime ends the process, as it cannot catch foreign exceptions. A panic of a function in Rust
+//! becomes [`Status::Panic`]. No reference to anything that the function could reach through a handle is held
+//! meanwhile.
 
 use crate::cells::Cells;
 use crate::failure::{Failure, Status};
@@ -89,10 +92,10 @@ pub(crate) struct Answers {
 }
 
 impl Answers {
-    /// Asks every function.
+    /// Calls every function.
     ///
     /// # Safety
-    /// The lists of records are there, and the functions may be called.
+    /// The lists of records exist, and the functions may be called.
     pub(crate) unsafe fn of(
         records: [Option<Cells>; Record::KINDS],
         links: &[Option<Callback<LinkOf>>; Link::KINDS],
@@ -120,7 +123,6 @@ impl Answers {
         Ok(answers)
     }
 
-    /// The columns.
     pub(crate) fn columns(&self) -> [Option<Column<'_, AtomicI64>>; Link::KINDS] {
         Link::ALL.map(|link| self.columns[link as usize].as_ref().map(|column| Column::new(column)))
     }
@@ -149,7 +151,7 @@ unsafe fn ask(
     Ok(column)
 }
 
-/// Asks for the list of each face. Returns the start of each list, and all lists.
+/// Calls the function for the list of each face. Returns the start of each list, and all lists.
 ///
 /// # Safety
 /// The function may be called with its context and each of these faces.
@@ -160,7 +162,7 @@ unsafe fn ask_lists(
 ) -> Result<(Vec<AtomicI64>, Vec<AtomicI64>), Failure> {
     let (mut first, mut list) = (Vec::new(), Vec::new());
     first.try_reserve_exact(faces.len() + 1).map_err(|_| Failure::memory())?;
-    // A list without end is cut where the validator says `list_too_long`: after twice as many as there are, and 16.
+    // An endless list is cut where the validator reports `list_too_long`: after twice as many as there are, and 16.
     let most = to.records.len().saturating_mul(2).saturating_add(17);
     let Some(function) = callback.function else { return Ok((first, list)) };
     for face in faces {

@@ -2,16 +2,18 @@
 //!
 //! # Why it is sound
 //!
-//! The memory belongs to the caller, who may have other threads that write to it, or callbacks. So no `&[i64]` ever leads there: it
-//! would promise that the memory does not change. It is read as atomic integers, which promise nothing: each read is one load of an
-//! aligned integer. A write meanwhile gives the old value or the new one, and the validator returns on any values.
+//! The memory belongs to the caller, who may have other threads that write to it, or callbacks. So no `&[i64]` ever
+//! leads there: it would promise that the memory does not change. It is read as atomic integers, which promise nothing:
+//! each read is one load of an aligned integer. During a write, a load returns the old value or the new one, and the
+//! validator returns on any values.
 //!
-//! - *In bounds*: the slice spans the bytes from the first cell to the last, which the caller promises to be there, in one object;
-//!   where that span does not fit into the address space, it is refused.
-//! - *Aligned*: looked at. Atomic integers of 32 and 64 bits are aligned to their size here, which may be more than C's alignment.
-//! - *Initialised*: between the cells of a stride lie other fields and padding, which the slice covers and nobody loads. Memory that
-//!   comes from the caller is bytes that Rust did not write, and every pattern of bits is an integer.
-//! - *Types*: an atomic integer has the size and the bits of the integer. Its load needs no write access.
+//! - *In bounds*: the slice spans the bytes from the first cell to the last, which the caller promises to be one
+//!   object; a span that does not fit into the address space is refused.
+//! - *Aligned*: checked. Atomic integers of 32 and 64 bits are aligned to their size here, which may be more than C's
+//!   alignment.
+//! - *Initialised*: between the cells of a stride lie other fields and padding, which the slice covers and nobody
+//!   loads. The caller's memory is bytes that Rust did not write, and every pattern of bits is an integer.
+//! - *Types*: an atomic integer has the size and the bits of the integer. Its load requires no write access.
 
 use crate::failure::{Failure, Status};
 use std::ffi::c_void;
@@ -27,9 +29,9 @@ pub(crate) enum Width {
     U64,
 }
 
-/// An integer as it is read: an atomic one. Only this file implements it.
+/// An atomic integer, as which an integer is read. Only this file implements it.
 pub(crate) trait Atomic: Cell {
-    /// The integer, with its sign.
+    /// Returns the integer, with its sign.
     fn number(&self) -> i128;
 }
 
@@ -45,7 +47,7 @@ macro_rules! atomic {
 
 atomic!(AtomicI32, AtomicI64, AtomicU32, AtomicU64);
 
-/// Cells of the caller: a pointer to the first, how many, and the number of bytes from one to the next.
+/// Cells of the caller: a pointer to the first, their number, and the number of bytes from one to the next.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Cells {
     start: *const c_void,
@@ -54,7 +56,7 @@ pub(crate) struct Cells {
 }
 
 impl Cells {
-    /// Cells of `size` bytes each. A stride of 0 means that they lie one after the other.
+    /// Cells of `size` bytes each. A stride of 0 means that they are adjacent.
     pub(crate) fn new(
         name: &str,
         cells: *const c_void,
@@ -85,22 +87,23 @@ impl Cells {
         Ok(Self { start: cells, count, stride })
     }
 
-    /// The cells as a slice of all integers between the first and the last, and where in it the first is.
+    /// Returns the cells as a slice of all integers between the first and the last, and the position of the first in
+    /// it.
     ///
     /// # Safety
     /// The memory is there for as long as `'a`, and `T` has the size for which the cells were made.
     unsafe fn span<'a, T>(&self) -> (&'a [T], usize, isize) {
         let stride = self.stride / size_of::<T>().cast_signed();
         let Some(steps) = self.count.checked_sub(1) else { return (&[], 0, 1) };
-        // No overflow: `new` has looked.
+        // No overflow: checked by `new`.
         let span = steps * stride.unsigned_abs();
         let first = if stride < 0 { span } else { 0 };
-        // SAFETY: see the head of the file. `new` has looked at null, alignment and size; the caller promises the memory.
+        // SAFETY: see the head of the file. `new` has checked null, alignment and size; the caller promises the memory.
         let slice = unsafe { std::slice::from_raw_parts(self.start.cast::<T>().sub(first), span + 1) };
         (slice, first, stride)
     }
 
-    /// The column of links.
+    /// Returns the column of links.
     ///
     /// # Safety
     /// The memory is there for as long as `'a`, and `T` has the size for which the cells were made.
@@ -110,7 +113,7 @@ impl Cells {
         Ok(Column::strided(span, first, stride, self.count)?)
     }
 
-    /// The integer at this position, if there is one.
+    /// Returns the integer at this position, if there is one.
     ///
     /// # Safety
     /// As [`column`](Self::column).
@@ -142,12 +145,11 @@ impl Cells {
         Ok(flags)
     }
 
-    /// The number of cells.
     pub(crate) const fn count(&self) -> usize {
         self.count
     }
 
-    /// The pointer in the cell, where these are pointers.
+    /// Returns the pointer in the cell, for cells that are pointers.
     ///
     /// # Safety
     /// The memory is there, the cells were made for pointers, and `position < count`.

@@ -10,17 +10,17 @@ use std::sync::atomic::{AtomicI32, AtomicI64, AtomicU32, AtomicU64};
 use twinedge::validate::{Collect, Expectation, Report};
 use twinedge_columns::{Boundaries, Cell, Column, Columns};
 
-/// The columns of a structure, and how many records there are where the caller has said so.
+/// The columns of a structure, and the numbers of records that the caller has set.
 struct Arguments<'a, T> {
     columns: [Option<Column<'a, T>>; Link::KINDS],
     counts: [Option<usize>; Record::KINDS],
     live: [Option<Vec<bool>>; Record::KINDS],
 }
 
-/// The report of the structure that the plan describes.
+/// Returns the report of the structure that the plan describes.
 ///
 /// # Safety
-/// The memory of its columns and records is there, and its functions may be called.
+/// The memory of its columns and records exists, and its functions may be called.
 pub(crate) unsafe fn judge(plan: &Plan) -> Result<(Report, Words), Failure> {
     let expectation = plan.asked.expectation()?;
     let collect = plan.asked.collect();
@@ -35,7 +35,7 @@ pub(crate) unsafe fn judge(plan: &Plan) -> Result<(Report, Words), Failure> {
         let words = Words::new(plan, &report, |_, _| None);
         return Ok((report, words));
     }
-    // SAFETY: as the caller promises; the width is that of every column.
+    // SAFETY: as the caller promises; every column has this width.
     unsafe {
         match plan.width.unwrap_or(Width::I32) {
             Width::I32 => of_type::<AtomicI32>(plan, live, expectation, collect),
@@ -90,8 +90,8 @@ impl<'a, T: Cell> Arguments<'a, T> {
         self.column(link).ok_or_else(|| Failure::new(Status::Missing, format!("{}: missing", link.name())))
     }
 
-    /// Returns the number of records of a kind: as the caller says, or the length of one of these columns, or of the marks of
-    /// live records.
+    /// Returns the number of records of a kind: the caller's number, or the length of one of these columns, or of the
+    /// marks of live records.
     fn count(&self, kind: Record, links: &[Link]) -> Option<usize> {
         let marks = self.live[kind as usize].as_ref().map(Vec::len);
         let columns = || links.iter().find_map(|link| self.column(*link).map(|column| column.len()));
@@ -110,7 +110,7 @@ impl<'a, T: Cell> Arguments<'a, T> {
     }
 
     fn columns(&self, ends: Column<'a, T>, next: Column<'a, T>, by_target: bool) -> Result<Columns<'_, T>, Failure> {
-        // A link beyond dangles, and must not make as many records.
+        // A link beyond the end dangles, and must not raise the number of records.
         let slots = |column: Column<'_, T>| column.slots().min(next.len());
         let vertices = self.count(Record::Vertex, &[Link::Leaving, Link::Isolated]).unwrap_or_else(|| slots(ends));
         let mut columns = Columns::paired(vertices, ends, next).map_err(|error| {
@@ -151,7 +151,7 @@ impl<'a, T: Cell> Arguments<'a, T> {
         Ok(columns)
     }
 
-    /// The columns with what half-edges and faces say of each other: directly, or by records of boundary components.
+    /// Adds the columns by which half-edges and faces name each other: directly, or by records of boundary components.
     fn with_faces<'b>(
         &self,
         columns: Columns<'b, T>,

@@ -132,7 +132,7 @@ impl Record {
         find(&Self::ALL, "kind of record", number)
     }
 
-    /// The name of many.
+    /// Returns the plural name.
     pub(crate) const fn names(self) -> &'static str {
         match self {
             Self::Vertex => "vertices",
@@ -155,7 +155,7 @@ impl Record {
 impl Link {
     /// The number of links.
     pub(crate) const KINDS: usize = 16;
-    /// All links, each at its number.
+    /// All links, each at the position of its number.
     pub(crate) const ALL: [Self; Self::KINDS] = [
         Self::Origin,
         Self::Target,
@@ -200,12 +200,12 @@ impl Link {
         }
     }
 
-    /// The constant in the header.
+    /// Returns the name of the constant in the header.
     pub(crate) fn constant(self) -> String {
         format!("TWINEDGE_LINK_{}", self.name().to_ascii_uppercase())
     }
 
-    /// The records that have the link, and those to which it leads; nothing for the lists.
+    /// Returns the kinds of records that have the link, and to which it leads; `None` for the lists.
     pub(crate) const fn ends(self) -> Option<(Record, Record)> {
         Some(match self {
             Self::Origin | Self::Target => (Record::HalfEdge, Record::Vertex),

@@ -1,4 +1,4 @@
-//! The plan of a validation: everything that the caller has said of a structure.
+//! The plan of a validation: the caller's description of a structure.
 
 use crate::callbacks::{Callback, InnerOf, LinkOf};
 use crate::cells::{Cells, Width};
@@ -91,7 +91,7 @@ impl Claims {
     }
 }
 
-/// A structure as the caller describes it. It owns nothing of the caller's.
+/// A structure as the caller describes it. It owns no memory of the caller.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Plan {
     pub(crate) width: Option<Width>,
@@ -131,7 +131,7 @@ impl Plan {
         by_list || self.columns[link as usize].is_some() || self.links[link as usize].is_some()
     }
 
-    /// Checks that a structure of pointers has the links that are needed, and the lists of all records that links join.
+    /// Checks that a structure of pointers has the required links, and the lists of all records that links join.
     pub(crate) fn pointers_are_complete(&self) -> Result<(), Failure> {
         let listed = |link: Link, kind: Record| {
             if self.records[kind as usize].is_some() {

@@ -1,4 +1,4 @@
-//! The handle of a report, and what is read from it.
+//! The handle of a report, and its accessors.
 
 use crate::border::{free, with};
 use crate::names::{Count, Record};

@@ -1,4 +1,4 @@
-//! The handle of a structure: what the caller says of it.
+//! The handle of a structure: the caller's description of it.
 
 use crate::border::{free, guarded, handle, with, with_mut};
 use crate::callbacks::{Callback, InnerOf, LinkOf};
@@ -304,10 +304,10 @@ pub unsafe extern "C" fn twinedge_validate(structure: *mut Structure, report: *m
     if structure.is_null() {
         return Status::Null;
     }
-    // The plan is copied, so that no reference to the structure is held while functions of the caller run.
+    // The plan is copied, so that no reference to the structure is held while callbacks run.
     let copy = |structure: &mut Structure| match structure.failed {
         None => {
-            // No sentence of an earlier validation stays.
+            // Drops the message of an earlier validation.
             structure.message = CString::default();
             Ok(structure.plan.clone())
         }

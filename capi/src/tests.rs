@@ -1,4 +1,4 @@
-//! Panics at the border. What C sees is tested in `tests/structure.c`.
+//! Panics at the border. The C interface is tested in `tests/structure.c`.
 
 use crate::border::{free, guarded, handle, with, with_mut};
 use crate::failure::Status;
@@ -80,7 +80,7 @@ fn a_function_that_does_not_return_is_an_error_of_the_validation() {
             assert_eq!(twinedge_validate(structure, &raw mut report), Status::Panic);
             assert!(report.is_null());
             assert!(CStr::from_ptr(twinedge_structure_error(structure)).to_str().unwrap().contains("panicked"));
-            // The handle is still good.
+            // The handle is still valid.
             assert_eq!(twinedge_validate(structure, &raw mut report), Status::Panic);
             twinedge_structure_free(structure);
         }
@@ -112,7 +112,7 @@ fn one_of_each_kind() -> Vec<Violation> {
     include_str!("../../docs/report.md").lines().filter_map(of).collect()
 }
 
-/// Messages for programs in C name nothing of Rust.
+/// Messages for programs in C do not mention Rust.
 #[test]
 fn all_kinds_speak_of_the_header() {
     let all = one_of_each_kind();
@@ -146,7 +146,7 @@ fn all_kinds_speak_of_the_header() {
     }
 }
 
-/// The numbers in the header are those of the enumerations, and every name is found by its number.
+/// The numbers in the header match the enumerations, and every name is found by its number.
 #[test]
 fn numbers_name_links_and_records() {
     for (number, link) in Link::ALL.into_iter().enumerate() {

@@ -1,4 +1,5 @@
-//! Reports in the words of the header. The library speaks to programs in Rust: of expectations, of views and their parts.
+//! Reports in the words of the header. The library's own messages are for programs in Rust: they speak of expectations,
+//! of views and their parts.
 
 use crate::names::Link;
 use crate::plan::Plan;
@@ -7,18 +8,19 @@ use std::borrow::Cow;
 use std::fmt::Write;
 use twinedge::validate::{Field, Part, Record, Report, Unchecked, Violation};
 
-/// The words of the library for a link that no index can be.
+/// The library's words for a link that cannot be an index.
 const NOWHERE: &str = "leads to no record at all";
 
-/// The largest integer up to which a double holds all.
+/// The largest integer up to which a double represents all integers.
 const EXACT: u64 = (1 << 53) - 1;
 
-/// The facts that a report needs and that of the library lacks: the links that the caller gave, and the numbers that they hold.
+/// The facts that this report adds to the library's: the given links, and the numbers that they hold.
 #[derive(Debug, Default)]
 pub(crate) struct Words {
     given: [bool; Link::KINDS],
     pointers: bool,
-    /// By the position of a violation in the list: the number that a column holds there, where the library has no index for it.
+    /// By the position of a violation in the list: the number in the column there, where the library has no index for
+    /// it.
     numbers: Vec<(usize, i128)>,
 }
 
@@ -77,13 +79,13 @@ pub(crate) fn remedy(violation: &Violation) -> &'static str {
     }
 }
 
-/// The sentence of the library, in the words of the header.
+/// Returns the sentence of the library, in the words of the header.
 fn sentence(violation: &Violation) -> String {
     let before = "`outer` (or, without boundary component records, `outer_half_edge`) is nil";
     violation.message().replace(before, "`TWINEDGE_LINK_FACE_HALF_EDGE` (or `TWINEDGE_LINK_OUTER`) is nil")
 }
 
-/// The link that stands for a part, of which one is enough.
+/// Returns one link that stands for a part.
 const fn link_of(part: Part) -> Option<Link> {
     match part {
         Part::Prev => Some(Link::Prev),
@@ -94,7 +96,7 @@ const fn link_of(part: Part) -> Option<Link> {
     }
 }
 
-/// A hint of the library, in the words of the header.
+/// Returns a hint of the library, in the words of the header.
 fn hint(line: &str) -> String {
     let mut line = Cow::Borrowed(line);
     for (before, after) in [
@@ -135,14 +137,14 @@ fn hold(value: &mut Value) {
 }
 
 impl Words {
-    /// `number` reads the integer that a column of the caller holds.
+    /// `number` reads the integer in a column of the caller.
     pub(crate) fn new(plan: &Plan, report: &Report, number: impl Fn(Link, usize) -> Option<i128>) -> Self {
         let mut words =
             Self { given: Link::ALL.map(|link| plan.gives(link)), pointers: plan.width.is_none(), numbers: Vec::new() };
         for (position, violation) in report.violations().iter().enumerate() {
             let Violation::Dangling { record, field, value: usize::MAX } = *violation else { continue };
             let Some((link, at)) = words.place(record, field, &number) else { continue };
-            // Others may have written to it meanwhile.
+            // Another thread may have written to it meanwhile.
             if let Some(found) = number(link, at).filter(|found| usize::try_from(*found).is_err() && *found != -1) {
                 words.numbers.push((position, found));
             }
@@ -154,7 +156,7 @@ impl Words {
         self.given[link as usize]
     }
 
-    /// The column and the position where a link of a record lies.
+    /// Returns the column and the position of a link of a record.
     fn place(
         &self,
         record: Record,
@@ -189,13 +191,13 @@ impl Words {
         })
     }
 
-    /// The number that the link of the violation at this position holds, where the library has no index for it.
+    /// Returns the number in the link of the violation at this position, where the library has no index for it.
     fn number(&self, position: usize) -> Option<i128> {
         let at = self.numbers.binary_search_by_key(&position, |(position, _)| *position).ok()?;
         Some(self.numbers[at].1)
     }
 
-    /// Returns a sentence that says what is wrong.
+    /// Returns a sentence that describes the violation.
     pub(crate) fn message(&self, position: usize, violation: &Violation) -> String {
         let message = sentence(violation);
         match self.number(position) {
@@ -205,12 +207,12 @@ impl Words {
         }
     }
 
-    /// A line for each rule that applies, hints, and a line for each violation that is listed.
+    /// Returns a line for each rule that applies, hints, and a line for each violation that is listed.
     pub(crate) fn text(&self, report: &Report) -> String {
         let library = report.to_string();
         let mut lines = library.lines().peekable();
         let mut text = String::with_capacity(library.len());
-        // Writing to a string does not fail.
+        // Writing to a string cannot fail.
         let applying = report.outcomes().filter(|(_, outcome)| outcome.unchecked != Some(Unchecked::PlaneOnly));
         for ((rule, outcome), line) in applying.zip(&mut lines) {
             let link = match outcome.unchecked {
@@ -241,7 +243,7 @@ impl Words {
         text
     }
 
-    /// The JSON of the library, with the numbers that links hold.
+    /// Returns the JSON of the library, with the numbers that links hold.
     pub(crate) fn json(&self, report: &Report) -> String {
         let Ok(mut document) = serde_json::to_value(report) else { return String::new() };
         if let Some(Value::Array(entries)) = document.get_mut("violations") {

@@ -1,4 +1,4 @@
-//! `include/twinedge.h` is what cbindgen makes of the sources, and every file that names a version names the same.
+//! `include/twinedge.h` is up to date with the sources, and every file that names a version names the same.
 
 use std::path::Path;
 

@@ -16,7 +16,8 @@ struct Torus {
 }
 
 impl Torus {
-    /// `n × n` squares. Half-edges `4 v` and `4 v + 1` are the edge from vertex `v` to the right, `4 v + 2` and `4 v + 3` that upwards.
+    /// `n × n` squares. Half-edges `4 v` and `4 v + 1` are the edge from vertex `v` to the right, `4 v + 2` and
+    /// `4 v + 3` the edge upwards.
     fn new(n: u32) -> Self {
         let vertex = |x: u32, y: u32| (y % n) * n + x % n;
         let size = (4 * n * n) as usize;
@@ -90,7 +91,8 @@ impl View for Torus {
     }
 }
 
-/// Arguments: a program that prints milliseconds, `tests/time.c`. Both are measured in turn, and their ratio is printed.
+/// Arguments: a program that prints milliseconds, `tests/time.c`. Both are measured in turn, and their ratio is
+/// printed.
 fn main() {
     let torus = Torus::new(500);
     let expectation = Expectation::surface().genus(1);

@@ -1,4 +1,4 @@
-//! The target that gives the checkers of certificates anything at all.
+//! The target that passes arbitrary certificates to the checkers.
 
 use crate::tables::{Fickle, Source};
 use arbitrary::Unstructured;
@@ -18,7 +18,7 @@ use twinedge_trials::enumerate::TableCells;
 const PLANE: Expectation = Expectation::plane();
 const SURFACE: Expectation = Expectation::surface();
 
-/// Some numbers of a certificate become others.
+/// Changes of numbers of a certificate.
 struct Changes(Vec<[usize; 3]>);
 
 impl Changes {
@@ -26,7 +26,7 @@ impl Changes {
         Self((0..source.below(4)).map(|_| [(); 3].map(|()| source.below(0x1_0000))).collect())
     }
 
-    /// Changes numbers in those of these columns that have any. One in sixteen changes makes a column shorter.
+    /// Changes numbers in the non-empty columns among these. One in sixteen changes shortens a column.
     fn make(&self, columns: &mut Labels, among: &[Column]) {
         for [column, at, value] in &self.0 {
             let filled: Vec<Column> =
@@ -40,7 +40,7 @@ impl Changes {
             }
             let value = value / 16 % (numbers.len() + 4);
             let beyond = value.saturating_sub(numbers.len());
-            // One past the end, and the three numbers that mean something else.
+            // One past the end, and the three numbers with special meanings.
             let number = if beyond > 0 { u32::MAX as usize - (beyond - 1) } else { value };
             numbers[at] = u32::try_from(number).unwrap_or(u32::MAX);
         }
@@ -64,18 +64,19 @@ impl Embedding for Drawn {
 }
 
 impl Drawn {
-    /// The table where this drawing has its vertices.
+    /// The table whose vertices lie where the drawing has them.
     fn at(self, drawing: &Drawing) -> Self {
         let points = drawing.points.iter().map(|[x, y]| Point::new(*x as f64, *y as f64)).collect();
         Self { points, ..self }
     }
 }
 
-/// Certificates are made for any table, for a right map with a few cells changed, for a structure that changes its answers, and for a
-/// drawing; then some of their numbers are changed. What passes keeps the rules, and whatever keeps them passes with the labels made for it.
+/// Makes certificates for any table, for a valid map with a few cells changed, for a structure that changes its
+/// answers, and for a drawing; then changes some of their numbers. A certificate that passes keeps the rules, and a
+/// structure that keeps them passes with the labels made for it.
 ///
 /// # Panics
-/// If not.
+/// If a checker disagrees with the rules.
 pub fn certificates(bytes: &[u8]) {
     let mut source = Source(Unstructured::new(bytes));
     let mode = source.below(5);
@@ -143,7 +144,7 @@ fn surface(table: &Table, changes: &Changes) {
     }
 }
 
-/// Certificates of a structure that changes its answers: they are made, or refused, and checked.
+/// Makes certificates of a structure that changes its answers, unless they are refused, and checks them.
 fn returns(view: &Fickle<'_>, changes: &Changes) {
     if let Ok(mut labels) = Labels::new(view) {
         changes.make(&mut labels, &Column::ALL);
@@ -156,15 +157,15 @@ fn returns(view: &Fickle<'_>, changes: &Changes) {
     let _ = SurfaceCertificate::new(view).map(|certificate| certificate.check());
 }
 
-/// The open surface of a certificate: half-edges of holes, which the certificate adds, are taken away.
+/// The open surface of a certificate: removes the half-edges of holes, which the certificate adds.
 fn without_holes(columns: &Labels) -> Table {
     let number = |column, i: usize| columns.column(column).get(i).map(|number| *number as usize);
     let link = |column, i: usize| number(column, i).filter(|to| *to != u32::MAX as usize);
     let live = |column, i: usize| number(column, i).is_some_and(|number| number != VACANT as usize);
     let is_hole = |b| live(Column::BoundaryFace, b) && link(Column::BoundaryFace, b).is_none();
     let is_border = |h| link(Column::HalfEdgeBoundary, h).is_some_and(is_hole);
-    // A vertex at the border keeps the half-edge without twin. In the certificate that is the twin of the half-edge of the hole that arrives
-    // at the vertex. The column is not looked at for other vertices.
+    // A vertex at the border keeps the half-edge without twin: in the certificate, the twin of the half-edge of the
+    // hole that arrives at the vertex. The column is ignored for other vertices.
     let on_border =
         |v| link(Column::VertexBorder, v).filter(|h| is_border(*h) && link(Column::HalfEdgeOrigin, *h) == Some(v));
     let leaving = |v| match on_border(v).and_then(|h| link(Column::HalfEdgePrev, h)) {
@@ -211,7 +212,7 @@ fn without_holes(columns: &Labels) -> Table {
     }
 }
 
-/// A map of a few segments and points is drawn. Then links, coordinates or numbers of the drawing are changed.
+/// Draws a map of a few segments and points, then changes links, coordinates or numbers of the drawing.
 fn drawing(source: &mut Source<'_>, changes: &Changes) {
     let mut builder = Builder::new();
     let point = |source: &mut Source<'_>| [(); 2].map(|()| source.below(5) as f64);
@@ -226,7 +227,7 @@ fn drawing(source: &mut Source<'_>, changes: &Changes) {
     let mut certificate = draw(&drawn).expect("the map is plane, on a grid");
     assert_eq!(check_drawing(&drawn, &labels, &certificate), Ok(()), "{}", drawn.table);
 
-    // Another structure: what is drawn of it anew, or as it was, passes if it is right.
+    // Another structure: its drawing, made anew or unchanged, passes if it is valid.
     for _ in 0..source.below(3) {
         if let Some(v) = source.below(2 * drawn.points.len().max(1)).checked_sub(drawn.points.len())
             && let Some(moved) = drawn.points.get_mut(v)

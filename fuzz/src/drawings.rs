@@ -12,11 +12,10 @@ use twinedge_geometry::noding::Snap;
 use twinedge_geometry::predicates::{Meeting, in_range, meeting, on_segment};
 use twinedge_map::{BuildError, Builder, Feature, Noding, PlanarMap, Shape};
 
-/// The most segments that are compared pair by pair.
+/// The largest number of segments that are compared pair by pair.
 const FEW: usize = 200;
 
-/// A coordinate: mostly of a small grid, where points coincide and segments cross; else close to it, or any bits at
-/// all.
+/// A coordinate: mostly of a small grid, where points coincide and segments cross; otherwise close to it, or any bits.
 fn coordinate(source: &mut Unstructured<'_>) -> f64 {
     let grid = Choose::choose(source, 8) as f64;
     match Choose::choose(source, 16) {
@@ -48,11 +47,11 @@ fn shape(source: &mut Unstructured<'_>) -> Shape {
     }
 }
 
-/// Rings, lines and points of any coordinates go to the builder: there is a map, and it is valid, or G4 is named as
-/// broken if and only if two segments clash; or there is an error that names the coordinate at fault.
+/// Passes rings, lines and points of any coordinates to the builder. The map is valid, or G4 is named as broken if and
+/// only if two segments clash; or an error names the coordinate at fault.
 ///
 /// # Panics
-/// If not.
+/// If the builder or the validator errs.
 pub fn segments(bytes: &[u8]) {
     let mut source = Unstructured::new(bytes);
     let mut builder = Builder::new();
@@ -67,11 +66,11 @@ pub fn segments(bytes: &[u8]) {
     built(builder, &taken);
 }
 
-/// Rings, lines and points of any coordinates are noded. Snapped, they make a valid map, or there is an error that names
-/// a coordinate out of reach. Cut exactly, they make a valid map of the same points, or cross where there is none.
+/// Nodes rings, lines and points of any coordinates. Snapped, they make a valid map, or an error names a coordinate out
+/// of reach. Cut exactly, they make a valid map of the same points, or cross where there is no point.
 ///
 /// # Panics
-/// If not.
+/// If the noder or the validator errs.
 pub fn noding(bytes: &[u8]) {
     let mut source = Unstructured::new(bytes);
     let snap = match Choose::choose(&mut source, 4) {
@@ -116,7 +115,7 @@ pub fn noding(bytes: &[u8]) {
     }
 }
 
-/// Hands a feature to the builder, which takes it if and only if all coordinates are in range.
+/// Passes a feature to the builder, which takes it if and only if all coordinates are in range.
 fn takes(builder: &mut Builder, feature: &Feature) -> bool {
     let before = builder.summary().clone();
     let all_in_range = points(feature).all(in_range);
@@ -140,7 +139,7 @@ fn takes(builder: &mut Builder, feature: &Feature) -> bool {
     }
 }
 
-/// A feature that was refused left nothing behind, and the point named is the one at that position.
+/// Checks that a refused feature left nothing behind, and that the named point is the one at that position.
 fn refused(
     builder: &Builder,
     before: &twinedge_map::BuildSummary,
@@ -166,7 +165,8 @@ fn points(feature: &Feature) -> impl Iterator<Item = Point> + '_ {
     })
 }
 
-/// The map of these features is valid, or it breaks G4 and says where; and it is valid if the features do not clash.
+/// Checks that the map of these features is valid, or breaks G4 and says where, and that it is valid if the features do
+/// not clash.
 fn built(builder: Builder, features: &[Feature]) {
     let map = match builder.build() {
         Ok(map) => map,
@@ -176,7 +176,7 @@ fn built(builder: Builder, features: &[Feature]) {
     let broken = |rule| report.outcome(rule).is_some_and(|outcome| outcome.violations > 0);
     assert_eq!(report.is_valid(), map.is_plane(), "{features:?}\n{report}");
     assert_eq!(broken(Rule::G4), !map.is_plane(), "{features:?}\n{report}");
-    // Segments that clash can have handles, as rotations go, and then nesting is undefined.
+    // Segments that clash can have handles, as rotations go; nesting is then undefined.
     for rule in Rule::ALL.iter().copied().filter(|rule| *rule < Rule::T1 || *rule == Rule::G1) {
         assert!(!broken(rule), "{rule} of {features:?}\n{report}");
     }
@@ -186,7 +186,7 @@ fn built(builder: Builder, features: &[Feature]) {
     counted(&map, features);
 }
 
-/// Distinct points and segments, as the builder is to count them. A ring is closed.
+/// Distinct points and segments, as the builder must count them. A ring is closed.
 fn drawn(features: &[Feature]) -> (BTreeSet<[u64; 2]>, BTreeSet<[[u64; 2]; 2]>) {
     let bits = |p: &Point| [(p.x + 0.0).to_bits(), (p.y + 0.0).to_bits()];
     let (mut vertices, mut segments) = (BTreeSet::new(), BTreeSet::new());
@@ -218,7 +218,7 @@ fn counted(map: &PlanarMap, features: &[Feature]) {
     assert_eq!(map.dcel().edge_count(), segments.len(), "{features:?}");
 }
 
-/// Returns true if no two segments clash, pair by pair; none if there are too many for that.
+/// Returns true if no two segments clash, pair by pair; `None` if there are too many to compare.
 fn is_plane(features: &[Feature]) -> Option<bool> {
     let (vertices, segments) = drawn(features);
     if segments.len() > FEW || vertices.len() > FEW {
@@ -235,7 +235,7 @@ fn is_plane(features: &[Feature]) -> Option<bool> {
     Some(!segments.iter().enumerate().any(clash))
 }
 
-/// A reader that gives a few bytes at a time.
+/// A reader that returns a few bytes at a time.
 struct Dripping<'a>(&'a [u8]);
 
 impl std::io::Read for Dripping<'_> {
@@ -247,10 +247,11 @@ impl std::io::Read for Dripping<'_> {
     }
 }
 
-/// Any bytes go to the reader of GeoJSON, in one piece and in small ones, and what it makes of them to the builder.
+/// Passes any bytes to the reader of GeoJSON, in one piece and in small ones, and its features to the builder.
 ///
 /// # Panics
-/// If the pieces make a difference, or `twinedge-formats` reads something else, an error names a place outside the input, or the map is not as for [`segments`].
+/// If the pieces make a difference, `twinedge-formats` reads something else, an error names a position outside the
+/// input, or the map is not as for [`segments`].
 pub fn geojson(bytes: &[u8]) {
     let mut features = Vec::new();
     let outcome = geojson::read(bytes, |feature| {
@@ -284,7 +285,8 @@ pub fn geojson(bytes: &[u8]) {
     built(builder, &features);
 }
 
-/// The reader of `twinedge-formats`, which cuts features out of the text, finds these features, or the error that the library finds.
+/// Checks that the reader of `twinedge-formats`, which cuts features out of the text, finds these features, or the
+/// error that the library finds.
 fn as_one_by_one(mut bytes: &[u8], features: &[Feature]) {
     let options = ReadOptions { format: Some(Format::GeoJson), ..ReadOptions::default() };
     if format_of(bytes, None, &options).is_ok_and(|format| format == Format::GeoJson) {

@@ -12,15 +12,15 @@ use twinedge_geometry::predicates::in_range;
 use twinedge_map::program::{AtPick, EditKind, EditOp, EditOutcome, EditProgram, EditRunner};
 use twinedge_map::{Builder, Located, Locator, PlanarMap, Shape};
 
-/// Longer programs are cut.
+/// Longer programs are cut off.
 const LONGEST: usize = 60;
 
-/// After so many edits the whole map is looked at.
+/// The number of edits between two checks of the whole map.
 const PERIOD: usize = 16;
 
 type Bits = [u64; 2];
 
-/// The program that the bytes are: as text, of which lines that are no edit are left out, or else as choices.
+/// Decodes the program: as text, skipping lines that are no edit, or else as choices.
 fn program(bytes: &[u8]) -> EditProgram {
     let text = std::str::from_utf8(bytes).ok().filter(|text| text.starts_with("twinedge edits"));
     let mut program = match text {
@@ -31,7 +31,7 @@ fn program(bytes: &[u8]) -> EditProgram {
     program
 }
 
-/// A point of choices of its own.
+/// Returns a point from choices of its own.
 fn point(source: &mut Bytes<'_>) -> Point {
     let one = EditProgram::generator().only(&[EditKind::InsertPoint]).length(1..=1);
     match one.generate(source).0.pop() {
@@ -40,20 +40,21 @@ fn point(source: &mut Bytes<'_>) -> Point {
     }
 }
 
-/// A program of edits, with points on a small grid, close to it and anywhere, and with keys that may be stale. After each
-/// the map is valid, as what was written says, and data kept beside it can follow by what the edit says; or the edit was refused, and
-/// nothing was written. Every so often, and in the end, all of the map is valid, the data is right, the same points and segments, built
-/// at once, make the same faces, and a point is found where the index finds it.
+/// Runs a program of edits, with points on a small grid, close to it and anywhere, and with keys that may be stale.
+/// After each edit the map is valid, by the reported writes, and data kept alongside can follow the edit's report; or
+/// the edit was refused, and nothing was written. Every so often, and at the end, the whole map is valid, the data is
+/// correct, the same points and segments, built at once, make the same faces, and the index finds a point in the same
+/// place.
 ///
 /// # Panics
-/// If not.
+/// If the map, a report or the data is not as expected.
 pub fn edits(bytes: &[u8]) {
     let program = program(bytes);
     let mut places = Bytes::new(bytes);
     let mut runner = EditRunner::audited(PlanarMap::new()).expect("the empty map is valid");
     let mut shadow = Shadow::of(runner.map());
     for (i, op) in (1..).zip(&program.0) {
-        // These say nothing of what they do.
+        // These edits do not report their effects.
         let relabels = matches!(op, EditOp::SetFeaturesOf { .. } | EditOp::SetFeaturesAlong { .. });
         if relabels {
             assert_eq!(shadow, Shadow::of(runner.map()), "before edit {i} of {program}");
@@ -74,7 +75,7 @@ pub fn edits(bytes: &[u8]) {
     }
 }
 
-/// A point is found by the index that the map keeps where a new index finds it.
+/// Checks that the map's own index and a new index find a point in the same place.
 fn located(places: &mut Bytes<'_>, map: &PlanarMap) {
     let p = point(places);
     let kept = map.locate(p);
@@ -91,7 +92,7 @@ fn located(places: &mut Bytes<'_>, map: &PlanarMap) {
     assert!(kept == there || other == there, "{p:?}: {kept:?}, {there:?} of {map:?}");
 }
 
-/// The same points and segments, built at once.
+/// Builds the map of these points and segments at once.
 fn rebuilt(map: &PlanarMap) -> PlanarMap {
     let place = |v: Vertex<'_>| map.position(v.key()).expect("of this map");
     let mut builder = Builder::new();

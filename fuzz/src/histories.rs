@@ -10,14 +10,15 @@ use twinedge_map::PlanarMap;
 use twinedge_map::program::EditProgram;
 use twinedge_trials::Rewound;
 
-/// Longer programs are cut.
+/// Longer programs are cut off.
 const LONGEST: usize = 60;
 
-/// A program of operators or, if the first byte is odd, of edits, each a change. After each some changes are undone and redone, in step
-/// with copies that were kept; what was written is valid; and what a change wrote that failed is gone.
+/// Runs a program of operators or, if the first byte is odd, of edits, each as a change. After each, some changes are
+/// undone and redone, in step with kept copies. The written records are valid, and a failed change leaves nothing
+/// behind.
 ///
 /// # Panics
-/// If not.
+/// If the structure differs from its copies, or is not valid.
 pub fn history(bytes: &[u8]) {
     let Some((first, bytes)) = bytes.split_first() else { return };
     if first % 2 == 0 {

@@ -2,16 +2,15 @@
 
 use twinedge_formats::layer::{Format, Layer, ReadOptions, read_layer, write};
 
-/// A layer, written.
 fn written(layer: &Layer, format: Format) -> Vec<u8> {
     let mut bytes = Vec::new();
     write(layer, &mut bytes, format).expect("memory");
     bytes
 }
 
-/// Writes the layer that was read, and reads it again as it was.
+/// Writes the layer, and reads it again unchanged.
 fn comes_back(bytes: &[u8], format: Format) {
-    // The beginning tells other formats, whatever is asked for.
+    // The first bytes identify other formats, whatever the requested format.
     if format == Format::FlatGeobuf && !bytes.starts_with(b"fgb") {
         return;
     }
@@ -25,18 +24,18 @@ fn comes_back(bytes: &[u8], format: Format) {
     assert_eq!(once, written(&again, format));
 }
 
-/// Reads well-known binary, writes it, and reads it again as it was.
+/// Reads well-known binary, writes it, and reads it again unchanged.
 ///
 /// # Panics
-/// If not.
+/// If the features differ.
 pub fn layer(bytes: &[u8]) {
     comes_back(bytes, Format::Wkb);
 }
 
-/// Reads `FlatGeobuf`, writes it, and reads it again as it was.
+/// Reads `FlatGeobuf`, writes it, and reads it again unchanged.
 ///
 /// # Panics
-/// If not.
+/// If the features differ.
 pub fn flatgeobuf(bytes: &[u8]) {
     comes_back(bytes, Format::FlatGeobuf);
 }

@@ -1,6 +1,6 @@
-//! The bodies of the fuzz targets, as plain functions of bytes, so that a test can replay what a fuzzer found.
+//! The bodies of the fuzz targets, as plain functions of bytes, so that a test can replay a fuzzer's finding.
 //!
-//! Each returns if all is well and panics if not.
+//! Each returns if all is well, and otherwise panics.
 
 mod certificates;
 mod drawings;

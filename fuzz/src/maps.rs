@@ -10,7 +10,7 @@ use twinedge::program::{Program, Runner, Subject};
 use twinedge::validate::{Expectation, Table};
 use twinedge_trials::RawPointers;
 
-/// Longer programs are cut: the second model of `in_step` takes O(n²) per operator.
+/// Longer programs are cut off: the second model of `in_step` takes O(n²) per operator.
 const LONGEST: usize = 300;
 
 fn program(bytes: &[u8]) -> Program {
@@ -19,7 +19,7 @@ fn program(bytes: &[u8]) -> Program {
     program
 }
 
-/// Operators, with the validator after each.
+/// Runs operators, with the validator after each.
 ///
 /// # Panics
 /// If a rule is broken.
@@ -33,10 +33,10 @@ pub fn programs(bytes: &[u8]) {
     }
 }
 
-/// The structure, with limits and without, and the second model, in step with the first.
+/// Runs the structure, with limits and without, and the second model, in step with the first.
 ///
 /// # Panics
-/// If one does something else than the others.
+/// If they differ.
 pub fn in_step(bytes: &[u8]) {
     let program = program(bytes);
     conforms(&program, Dcel::new(), Expectation::plane());
@@ -46,14 +46,14 @@ pub fn in_step(bytes: &[u8]) {
 }
 
 fn conforms<K: Subject + Debug>(program: &Program, subject: K, expectation: Expectation) {
-    // Many a program of a fuzzer applies nothing.
+    // Many programs of a fuzzer apply no operator.
     let asked = Conformance::of(&expectation).coverage(Coverage::Nothing);
     if let Err(failure) = asked.run(program, subject) {
         panic!("{}: {failure}\n{program}", std::any::type_name::<K>());
     }
 }
 
-/// All keys that a structure ever gave out.
+/// All keys that a structure has issued.
 #[derive(Default)]
 struct Keys {
     vertices: BTreeSet<VertexKey>,
@@ -72,7 +72,7 @@ impl Keys {
         }
     }
 
-    /// Those that are not among the others.
+    /// Returns the keys that are not in `others`.
     fn without(&self, others: &Self) -> Self {
         Self {
             vertices: &self.vertices - &others.vertices,
@@ -90,11 +90,11 @@ impl Keys {
     }
 }
 
-/// Keys whose records are gone, and keys of another structure, go to every accessor after each operator, and to every
+/// Passes keys of removed records, and keys of another structure, to every accessor after each operator, and to every
 /// operator at the end.
 ///
 /// # Panics
-/// If one is taken for a key of something else, or something is changed.
+/// If a key is taken for a live one, or something is changed.
 pub fn stale_keys(bytes: &[u8]) {
     let program = program(bytes);
     let mut stranger = Runner::new(Dcel::new());

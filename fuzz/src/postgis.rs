@@ -3,20 +3,20 @@
 use std::io::BufReader;
 use twinedge_formats::postgis::{ReadError, audit, read};
 
-/// The number of violations that are kept.
+/// The number of violations to keep.
 const LIMIT: usize = 5;
 
-/// The reader returns the same in one piece and in small ones; errors lie inside the input; what was read is judged, and what is valid
-/// has no violation.
+/// Reads three COPY streams, in one piece and in small ones, with the same result. Errors lie inside the input; the
+/// topology is judged, and a valid one has no violation.
 ///
 /// # Panics
-/// If not.
+/// If the results differ or contradict each other.
 pub fn postgis(bytes: &[u8]) {
     let pieces = read(BufReader::with_capacity(3, bytes), LIMIT);
     match (read(bytes, LIMIT), pieces) {
         (Ok(whole), Ok(pieces)) => {
             let (whole, pieces) = (audit(&whole, LIMIT).expect("memory"), audit(&pieces, LIMIT).expect("memory"));
-            // Compared as text: a place may be NaN.
+            // Compared as text: a coordinate may be NaN.
             assert_eq!(whole.to_string(), pieces.to_string());
             assert!(!whole.is_valid() || whole.violation_count() == 0, "{whole}");
             assert!(whole.violations().len() <= LIMIT);

@@ -5,16 +5,17 @@ use std::path::{Path, PathBuf};
 use std::{process, thread};
 use twinedge_formats::layer::{Format, Layer, ReadOptions, read_path, write_path};
 
-/// A Shapefile of up to four parts: the first byte says which, and then each has its length as two bytes, the low one first. The last one is
-/// what is left. The reader returns; what is read is written, and comes back as it was written.
+/// Reads a Shapefile of up to four parts: the first byte selects them, and each is preceded by its length as two bytes,
+/// the low one first. The last part is the rest. The reader returns, and its features are written and read again
+/// unchanged.
 ///
 /// # Panics
-/// If not, or if files cannot be written to the folder for temporary ones.
+/// If the features differ, or if files cannot be written to the temporary folder.
 pub fn shapefile(bytes: &[u8]) {
     let folder = folder();
     fs::create_dir_all(&folder).expect("a folder for temporary files");
     let once = lay_out(bytes, &folder.join("map.shp")).then(|| read(&folder.join("map.shp"))).flatten();
-    // A Shapefile has one type of geometries, and other limits that an input need not keep.
+    // A Shapefile has one type of geometries, and other limits that an input may exceed.
     let written = once.and_then(|layer| written(&layer, &folder.join("once.shp")));
     if let Some(once) = written {
         let twice = self::written(&once, &folder.join("twice.shp")).expect("what was written once");
@@ -24,7 +25,7 @@ pub fn shapefile(bytes: &[u8]) {
     let _ = fs::remove_dir_all(&folder);
 }
 
-/// A folder in memory, where the system has such: on disk, files take nine tenths of the time.
+/// A folder in memory, where the system has one: on disk, files take nine tenths of the time.
 fn folder() -> PathBuf {
     let memory = Path::new("/dev/shm");
     let base = if memory.is_dir() { memory.to_owned() } else { std::env::temp_dir() };
@@ -40,7 +41,7 @@ fn written(layer: &Layer, path: &Path) -> Option<Layer> {
     Some(read_path(path, &ReadOptions::default()).expect("what was written is a Shapefile"))
 }
 
-/// Writes the parts; false if there are none.
+/// Writes the parts; returns false if there are none.
 fn lay_out(bytes: &[u8], path: &Path) -> bool {
     let Some((parts, mut rest)) = bytes.split_first() else { return false };
     let chosen: Vec<&str> = ["shp", "dbf", "shx", "cpg"]

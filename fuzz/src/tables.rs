@@ -1,4 +1,4 @@
-//! The target that gives the validator anything at all.
+//! The target that passes arbitrary structures to the validator.
 
 use arbitrary::Unstructured;
 use std::cell::RefCell;
@@ -13,7 +13,7 @@ use twinedge::validate::{
 use twinedge_trials::enumerate::TableCells;
 use twinedge_trials::forms::{Form, projections};
 
-/// The largest table that goes to the reference validator, which is cubic, in records of each kind.
+/// The largest number of records of a kind in a table for the reference validator, which takes cubic time.
 const SMALL: usize = 12;
 
 /// Numbers from bytes.
@@ -28,7 +28,7 @@ impl Source<'_> {
         self.below(n) == 1
     }
 
-    /// Mostly an index that there is; else nil, one past the end, or a huge one.
+    /// Mostly an existing index; otherwise nil, one past the end, or a huge one.
     fn link(&mut self, n: usize) -> Link {
         match self.below(16) {
             0 => None,
@@ -96,7 +96,7 @@ impl Source<'_> {
         Form::new(expectation, parts)
     }
 
-    /// A map that is right in this form, with a few cells set to something else.
+    /// A map that is valid in this form, with a few cells set to something else.
     pub(crate) fn corrupt_map(&mut self, form: Form) -> Table {
         let corruptions = self.below(4);
         let choices: Vec<(usize, usize)> =
@@ -112,11 +112,11 @@ impl Source<'_> {
     }
 }
 
-/// The map that a program makes, as a structure of this form keeps it. If open boundaries are expected, the
-/// bytes decide whether it has one, and where.
+/// The map that a program makes, stored in this form. If open boundaries are expected, the bytes decide whether it has
+/// one, and where.
 ///
 /// # Panics
-/// Never: there is always a form that is right.
+/// Never: there is always a valid form.
 #[must_use]
 pub fn right_map(program: &[u8], form: &Form) -> Table {
     let mut forms = {
@@ -126,12 +126,12 @@ pub fn right_map(program: &[u8], form: &Form) -> Table {
         runner.run(&program);
         projections(&Table::copy_of(runner.subject()).unwrap_or_default(), form)
     };
-    // No byte is taken for this, so that inputs keep their meaning.
+    // This consumes no byte, so that inputs keep their meaning.
     let chosen = program.iter().fold(0_usize, |sum, byte| sum + usize::from(*byte)) % forms.len();
     forms.swap_remove(chosen)
 }
 
-/// A structure that says something else each time it is asked.
+/// A structure that answers differently each time.
 pub(crate) struct Fickle<'a> {
     parts: Parts,
     slots: [usize; 4],
@@ -224,11 +224,12 @@ impl View for Fickle<'_> {
     }
 }
 
-/// The validator is given any table, a right map of the form that is expected with a few cells changed, or a structure that changes its answers. It
-/// returns, contradicts itself nowhere, and on small tables agrees with the reference validator.
+/// Passes any table, a valid map of the expected form with a few cells changed, or a structure that changes its answers
+/// to the validator. The validator returns, does not contradict itself, and on small tables agrees with the reference
+/// validator.
 ///
 /// # Panics
-/// If not.
+/// If it contradicts itself or the reference.
 pub fn validator_total(bytes: &[u8]) {
     let mut source = Source(Unstructured::new(bytes));
     let mode = source.below(4);
@@ -258,7 +259,7 @@ fn judged(table: &Table, expectation: Expectation) {
     }
 }
 
-/// Checks that the statements of a report about itself fit together.
+/// Checks that the statements of a report agree with each other.
 fn coherent(report: &Report, cap: usize) {
     let found = report.violation_count();
     assert_eq!(report.violations().len() as u64, found.min(cap as u64), "{report}");

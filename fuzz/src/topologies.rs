@@ -2,13 +2,14 @@
 
 use twinedge_formats::layer::{Format, Place, ReadError, ReadOptions, read_layer, topojson as arcs, write};
 
-/// The reader and the audit of the arcs return, and errors lie inside the input. What is read is written as well-known binary and read again as it was.
+/// Reads TopoJSON and audits its arcs. Both return, and errors lie inside the input. The features are written as
+/// well-known binary and read again unchanged.
 ///
 /// # Panics
-/// If not.
+/// If the features differ, or an error lies outside the input.
 pub fn topojson(bytes: &[u8]) {
     let lines = bytes.split(|byte| *byte == b'\n').count();
-    // Each object for itself, where there are several.
+    // Each object by itself, if there are several.
     let mut layers = vec![None];
     if let Err(error) = arcs::read(&mut &*bytes, None, 2) {
         match error {

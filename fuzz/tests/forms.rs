@@ -1,4 +1,4 @@
-//! The maps that `validator_total` corrupts are right from the start, in every form.
+//! The maps that `validator_total` corrupts are valid from the start, in every form.
 
 use std::fs;
 use std::path::Path;
@@ -16,7 +16,7 @@ fn the_maps_to_corrupt_are_right_in_every_form() {
             let mut bytes = fs::read(file.unwrap().path()).unwrap();
             for (form, last) in forms().into_iter().flat_map(|one| [(one, 0), (one, 1), (one, 2)]) {
                 let Form { expectation, .. } = form;
-                // The last byte that is taken chooses another form.
+                // The last consumed byte chooses another form.
                 bytes.push(last);
                 let table = right_map(&bytes, &form);
                 bytes.pop();

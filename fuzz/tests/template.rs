@@ -1,4 +1,4 @@
-//! The project that `twinedge fuzz-template` writes is built, runs, and finds a planted bug.
+//! The project written by `twinedge fuzz-template` builds, runs, and finds a planted bug.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -11,7 +11,7 @@ fn root() -> PathBuf {
 fn cargo(folder: &Path, target: &Path) -> Command {
     let mut cargo = Command::new(env!("CARGO"));
     cargo.current_dir(folder).env("CARGO_TARGET_DIR", target).env("RUSTFLAGS", "--cfg fuzzing");
-    // If this test is linted while it is built, the project of a user is not.
+    // If this test is linted while it is built, a user's project is not.
     cargo.env_remove("RUSTC_WORKSPACE_WRAPPER");
     cargo
 }
@@ -37,7 +37,7 @@ fn template(folder: &Path, subject: &str) {
         Command::new(path)
     } else {
         let mut cargo = Command::new(env!("CARGO"));
-        // The program needs no `cfg(fuzzing)`: as others have built it will do.
+        // The program requires no `cfg(fuzzing)`: any earlier build will do.
         cargo.env_remove("RUSTFLAGS").env_remove("RUSTC_WORKSPACE_WRAPPER").args([
             "run",
             "--quiet",
@@ -55,7 +55,7 @@ fn template(folder: &Path, subject: &str) {
         .output()
         .expect("it runs");
     assert!(written.status.success(), "{}", said(&written));
-    // The versions locked here are downloaded already.
+    // The versions locked here have been downloaded already.
     fs::copy(root.join("fuzz/Cargo.lock"), folder.join("fuzz/Cargo.lock")).expect("it is copied");
 }
 
@@ -65,7 +65,7 @@ fn the_project_is_built_and_finds_planted_bugs_and_panics() {
     // Reuse the packages that are built already.
     let target = own.parent().expect("it is in the folder of what is built");
     let folder = own.join("mesh");
-    // An edge that is flipped the wrong way keeps every rule, so only the comparison with the reference finds it.
+    // An edge flipped the wrong way keeps every rule, so only the comparison with the reference finds it.
     template(&folder, "mesh::Planted::<false>::default()");
     let fuzz = folder.join("fuzz");
     let run = |corpus: &Path| {
@@ -75,7 +75,7 @@ fn the_project_is_built_and_finds_planted_bugs_and_panics() {
         let options = ["-runs=5000", "-seed=1", "-len_control=0", "-max_len=400", "-artifact_prefix=artifact-"];
         binary.current_dir(&fuzz).args(options).arg(corpus).output().expect("it runs")
     };
-    // The operators of the program that is shown.
+    // The operators of the program in the output.
     let shown = || {
         let found = run(&fuzz.join("corpus/conforms"));
         let text = said(&found);
@@ -88,7 +88,7 @@ fn the_project_is_built_and_finds_planted_bugs_and_panics() {
     let (ops, text) = shown();
     assert!(ops.last().is_some_and(|last| last == "flip_edge") && ops.len() <= 8, "{text}");
 
-    // libFuzzer ends the program at a panic, before it is caught, unless a hook is there first.
+    // libFuzzer ends the program at a panic, before it is caught, unless a hook has been installed first.
     let conforms = fuzz.join("fuzz_targets/conforms.rs");
     let replace = |from: &str, to: &str| {
         let target = fs::read_to_string(&conforms).expect("it was written");

@@ -1,10 +1,10 @@
 //! Plants every fault of `proofs/faults/` in a copy of the sources, and prints which check catches which.
 //!
-//! One build holds all faults, each behind a switch that is read from the environment. Each check then runs once without a fault,
-//! and must pass, and once with each. A fault is caught if the check fails, panics, or takes longer than a minute and five times
-//! what it takes without a fault, or more memory than any of them does. The checks of the part of the library that has the fault are
-//! run first, and of these the quickest. Each result is written to `target/faults/cells.txt`, and taken from there by the next run
-//! of the same sources.
+//! One build holds all faults, each behind a switch that is read from the environment. Each check then runs once
+//! without a fault, and must pass, and once with each. A fault is caught if the check fails, panics, takes longer than
+//! a minute and five times its time without a fault, or needs more memory than any check without a fault. The checks of
+//! the part of the library that has the fault run first, the quickest of them before the others. Each result is written
+//! to `target/faults/cells.txt`, and the next run of the same sources reads it from there.
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "it is a program")]
 
 use clap::Parser;
@@ -49,7 +49,7 @@ struct Arguments {
     threads: usize,
 }
 
-/// A check that takes longer than this, and than five times what it takes without a fault, counts as one that does not end.
+/// A check that takes longer than this, and than five times its time without a fault, counts as one that does not end.
 const LIMIT: Duration = Duration::from_secs(60);
 
 /// The address space of a check in kibibytes, where there is a shell to limit it.
@@ -95,7 +95,8 @@ const TESTS: [(&str, Test); 15] = [
     ("commands", ("twinedge-cli", "--test=commands", "commands")),
 ];
 
-/// Of the tests of the program, the modules that are checks: the first compares two checkers of certificates, the others are about reports and repairs.
+/// The modules of the program's tests that are checks: the first compares two checkers of certificates, the others are
+/// about reports and repairs.
 const OF_COMMANDS: [&str; 9] =
     ["certificate", "audit", "between", "clean_tiles", "cleaning", "findings", "gate", "mesh", "verdict"];
 
@@ -112,10 +113,10 @@ const ROOTS: [&str; 9] = [
     "sphere/src/lib.rs",
 ];
 
-/// Its tests write into folders of their own, but all runs into the same: one at a time.
+/// Its tests write into folders of their own, but all runs write into the same ones: one at a time.
 static COMMANDS_RUN: Mutex<()> = Mutex::new(());
 
-/// The folder of the checker of certificates that is proved, if that is built.
+/// The folder of the proved checker of certificates, if it is built.
 const PROVED: &str = "proofs/coq";
 
 /// The checks of the program `twinedge`.
@@ -237,8 +238,8 @@ fn read(folder: &Path) -> Result<Vec<Fault>> {
     Ok(faults)
 }
 
-/// Writes a copy of the sources with all faults planted, and gives a number that stands for it. Files that are the same already are
-/// left alone, and what is no longer a source goes.
+/// Writes a copy of the sources with all faults planted, and returns a hash of them. Leaves unchanged files alone, and
+/// deletes files that are no longer sources.
 fn copy_planted(root: &Path, copy: &Path, faults: &[Fault]) -> Result<u64> {
     let mut sum = DefaultHasher::new();
     let mut copied = BTreeSet::new();
@@ -290,7 +291,7 @@ fn copy_planted(root: &Path, copy: &Path, faults: &[Fault]) -> Result<u64> {
     Ok(sum.finish())
 }
 
-/// Has the copy use the proved checker that is built. Returns the path of the link.
+/// Links the built proved checker into the copy. Returns the path of the link.
 fn link_proved(root: &Path, copy: &Path) -> Result<Option<PathBuf>> {
     let link = copy.join(PROVED);
     #[cfg(unix)]
@@ -300,20 +301,21 @@ fn link_proved(root: &Path, copy: &Path) -> Result<Option<PathBuf>> {
     Ok(link.exists().then_some(link))
 }
 
-/// Builds the copy, all of it at once, as each selection of packages would have features of its own, and gives the checks.
+/// Builds the whole copy at once, since each selection of packages would have features of its own, and returns the
+/// checks.
 fn built(copy: &Path, build: &Path, is_built: impl Fn(&str) -> bool) -> Result<Vec<Check>> {
     let commands: Vec<_> = COMMANDS.iter().filter(|(name, _)| is_built(name)).collect();
     let tests: Vec<_> = TESTS.iter().filter(|(name, _)| is_built(name)).collect();
     // The tests of the program need it.
     let program = (!commands.is_empty()).then_some(("twinedge-cli", "--test=commands", ""));
     let chosen = tests.iter().map(|(_, test)| *test).chain(program);
-    // Each once, as cargo takes no option twice.
+    // Each once: cargo takes no option twice.
     let (packages, options): (BTreeSet<_>, BTreeSet<_>) = chosen.map(|(package, option, _)| (package, option)).unzip();
     let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     cargo.args(["test", "--release", "--no-run"]);
     cargo.args(packages.iter().flat_map(|package| ["-p", package])).args(options);
     cargo.current_dir(copy).env("CARGO_TARGET_DIR", build).env("CARGO_INCREMENTAL", "0");
-    // Fast enough to run, and quick to build; what overflows panics.
+    // Fast enough to run, and quick to build; overflow panics.
     for (name, value) in [("LTO", "off"), ("DEBUG", "0"), ("OPT_LEVEL", "2"), ("DEBUG_ASSERTIONS", "true")] {
         cargo.env(format!("CARGO_PROFILE_RELEASE_{name}"), value);
     }
@@ -347,7 +349,7 @@ fn built(copy: &Path, build: &Path, is_built: impl Fn(&str) -> bool) -> Result<V
     Ok(checks)
 }
 
-/// The modules that have the tests of a program.
+/// Returns the names of the modules that have the tests of a program.
 fn modules(program: &Path) -> Result<BTreeSet<String>> {
     let output = Command::new(program).args(["--list", "--format", "terse"]).output()?;
     let listed = String::from_utf8(output.stdout)?;
@@ -390,7 +392,7 @@ impl Check {
             Command::new(&self.program)
         };
         command.args(&self.arguments).stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::null());
-        // Some tests read files beside their sources.
+        // Some tests read files next to their sources.
         let folder = self.program.ancestors().find(|folder| folder.ends_with("faults")).unwrap_or(Path::new("."));
         command.current_dir(folder.join("sources"));
         if let Some(fault) = fault {
@@ -465,7 +467,7 @@ impl Cells {
     }
 }
 
-/// Runs each check with each of these faults, but for what is known.
+/// Runs each check with each of these faults, except for known results.
 fn matrix(
     checks: &[Check],
     faults: &[Fault],
@@ -513,7 +515,6 @@ fn matrix(
     Ok(done.into_inner().map_err(|_| "a thread panicked")?)
 }
 
-/// The tables in Markdown.
 fn print(checks: &[Check], faults: &[Fault], caught: &BTreeMap<usize, Vec<End>>) {
     println!("| fault | where | caught by | not by | not run |\n| --- | --- | --- | --- | --- |");
     let named = |ends: &[End], test: fn(End) -> bool| -> Vec<String> {

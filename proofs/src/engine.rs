@@ -17,18 +17,19 @@ impl twinedge::program::choose::Choose for Symbolic {
     }
 }
 
-/// Runs a body over every sequence of choices. Some of them must be to the point, which a model checker reports as covered.
+/// Runs a body over every sequence of choices. At least one case must be relevant, which a model checker reports as
+/// covered.
 #[cfg(kani)]
 pub(crate) fn run(_: &str, body: impl Fn(&mut Symbolic) -> bool) {
     let to_the_point = body(&mut Symbolic);
     kani::cover!(to_the_point, "a case is to the point");
 }
 
-/// Runs a body over every sequence of choices, one after the other, and prints how many these were and how many of
-/// them were to the point.
+/// Runs a body over every sequence of choices, one after the other, and prints the numbers of all cases and of relevant
+/// ones.
 ///
 /// # Panics
-/// If the body does, after printing the choices that made it; and if no case was to the point.
+/// If the body does, after printing the choices that made it, or if no case was relevant.
 #[cfg(all(test, not(kani)))]
 #[allow(clippy::print_stdout, clippy::print_stderr, reason = "the counts are part of the result")]
 pub(crate) fn run(name: &str, body: impl Fn(&mut twinedge::program::choose::Odometer) -> bool) {
@@ -46,8 +47,8 @@ pub(crate) fn run(name: &str, body: impl Fn(&mut twinedge::program::choose::Odom
     println!("{name}: {count} cases, {to_the_point} to the point");
 }
 
-/// Makes of each entry a harness, and beside it a twin of the same name in the module `broken`, which must fail with
-/// that message where that fault is planted. An entry without a twin does not parse.
+/// Turns each entry into a harness, and into a twin of the same name in the module `broken`, which must fail with the
+/// given message when the given fault is planted. An entry without a twin does not parse.
 ///
 /// The harness is a test where there is no Kani and a proof where there is.
 macro_rules! harnesses {

@@ -1,12 +1,12 @@
 //! Faults to plant in the library, as data: `proofs/faults/*.txt`.
 //!
-//! A fault replaces one expression by a wrong one. All are planted in one copy of the sources, each behind a switch, so that one
-//! build serves them all. The lines of a fault:
+//! A fault replaces one expression by an invalid one. All are planted in one copy of the sources, each behind a switch,
+//! so that one build serves them all. The lines of a fault:
 //!
 //! ```text
-//! fault  what is wrong then, in words
+//! fault  a description of the fault
 //! file   the file, from the root of the workspace
-//! in     a line of it, if the text alone occurs elsewhere, too
+//! in     a line of it, if the text alone also occurs elsewhere
 //! text   the right expression
 //! wrong  the wrong expression
 //! ```
@@ -31,18 +31,18 @@ pub struct Fault {
 /// An error in the list of faults, or in planting one.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum FaultError {
-    /// A line that is none of a fault.
+    /// A line that belongs to no fault.
     Line(String),
     /// A fault lacks one of its lines.
     Incomplete(String),
-    /// The text occurs another number of times than once.
+    /// The text does not occur exactly once.
     Stale {
         /// The fault.
         what: String,
         /// The number of times that the text occurs.
         found: usize,
     },
-    /// Two faults replace texts that overlap, but are not the same.
+    /// Two faults replace texts that overlap but differ.
     Overlap(String),
 }
 
@@ -88,7 +88,7 @@ fn fault(lines: &[String]) -> Result<Fault, FaultError> {
 }
 
 impl Fault {
-    /// Returns the place of the text in its file.
+    /// Returns the position of the text in its file.
     ///
     /// # Errors
     /// [`FaultError::Stale`] unless it occurs exactly once.
@@ -105,7 +105,7 @@ impl Fault {
     }
 }
 
-/// A file with these faults planted, each with the number of its switch.
+/// Returns a file with these faults planted, each with the number of its switch.
 ///
 /// # Errors
 /// [`FaultError::Stale`], [`FaultError::Overlap`].
@@ -133,8 +133,8 @@ pub fn plant(source: &str, faults: &[(usize, &Fault)]) -> Result<String, FaultEr
     Ok(planted)
 }
 
-/// The text that the root file of the library needs besides: the function that reads the switch, once, from the environment
-/// variable `PLANTED_FAULT`.
+/// The text to append to the root file of the library: the function that reads the switch, once, from the
+/// environment variable `PLANTED_FAULT`.
 pub const SWITCH: &str = r#"
 pub(crate) fn planted_fault(number: usize) -> bool {
     extern crate std;

@@ -9,28 +9,27 @@ use twinedge::program::{
 /// The bounds of the maps to choose from.
 #[derive(Clone, Copy, Debug)]
 pub struct Bound {
-    /// At most so many edges.
+    /// The largest number of edges.
     pub edges: usize,
-    /// Beside the first component at most so many more are begun, each as an isolated vertex.
+    /// The largest number of components besides the first, each begun as an isolated vertex.
     pub islands: usize,
 }
 
 /// The arguments that an operator gets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Arguments {
-    /// All handles there are, of the right kind.
+    /// All live handles of the right kind.
     Live,
-    /// Stale ones too, and vertices with half-edges where isolated ones are wanted.
+    /// Also stale handles, and vertices with half-edges where isolated ones are required.
     Any,
 }
 
-/// Grows a map from one isolated vertex, by a number of steps up to the bound. Each adds an edge: a leaf in a corner,
-/// or one between two corners of a face; or it begins an island in a face.
+/// Grows a map from one isolated vertex, by a number of steps up to the bound. Each step adds an edge: a leaf in a
+/// corner, or an edge between two corners of a face; or it begins an island in a face.
 ///
-/// Every map of at most `edges` edges and `1 + islands` components comes about (and more than once). For take its
-/// edges away again, first those that have a different face on each side, then leaves, until isolated vertices are
-/// left: the inverse of each is a step. What lies in the face of an edge that is taken away is what the step sends to
-/// the new face.
+/// Every map of at most `edges` edges and `1 + islands` components arises, and more than once. To see this, remove its
+/// edges again, first the edges with a different face on each side, then leaves, until isolated vertices are left: the
+/// inverse of each removal is a step. The step moves the contents of the removed edge's face to the new face.
 pub fn grow<K: Subject>(runner: &mut Runner<K>, bound: Bound, source: &mut impl Choose) {
     runner.step(Op::AddIsolatedVertex { face: FacePick::Unbounded });
     let mut edges = source.choose(bound.edges + 1);
@@ -67,7 +66,8 @@ fn add_edge<K: Subject>(runner: &mut Runner<K>, bound: Bound, source: &mut impl 
     runner.step(Op::Connect { from, to: SecondPick::Any(to), new_face, inner: InnerPick { mask, also: None } });
 }
 
-/// An operator with arguments, each chosen from all there are; none if it needs one of which there is none, or is one of meshes.
+/// Chooses an operator's arguments, each from all candidates. Returns `None` if an argument has no candidate, or if it
+/// is an operator of meshes.
 ///
 /// `Connect` may send any of the first `islands` other boundary components of the face to the new one, and with
 /// [`Arguments::Any`] some other boundary component instead.
@@ -120,7 +120,7 @@ pub(crate) fn choose_turn(source: &mut impl Choose) -> Turn {
     if source.choose(2) == 0 { Turn::CounterClockwise } else { Turn::Clockwise }
 }
 
-/// The pick of a corner by its place in [`Runner::corners`].
+/// Returns the pick of a corner by its position in [`Runner::corners`].
 fn nth_corner<K: Subject>(runner: &Runner<K>, index: usize) -> CornerPick {
     match index.checked_sub(runner.half_edges().len()) {
         None => Corner::At(HalfEdgePick::Live(index as u32)),

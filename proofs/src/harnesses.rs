@@ -1,7 +1,8 @@
-//! The list of harnesses. The bound is in the name: at most so many edges, and at most so many components beside the first.
+//! The list of harnesses. The bound is in the name: the largest numbers of edges and of components besides the first.
 //!
-//! The bounds of `unwind` are generous guesses: the longest loops go over the slots of the store, the corners of the map, or
-//! (64) the numbers of a canonical form. Where one is too small, Kani fails and says so; it never passes for a proof.
+//! The bounds of `unwind` are generous guesses: the longest loops go over the slots of the store, the corners of the
+//! map, or (64) the numbers of a canonical form. If one is too small, Kani fails and says so; it never passes for a
+//! proof.
 
 use crate::engine::harnesses;
 use crate::grow::Bound;
@@ -14,12 +15,12 @@ use twinedge::program::OpKind;
 #[cfg(not(kani))]
 use twinedge::validate::Rule;
 
-/// Room for all that three edges and an island (or two of each) and one operator can come to.
+/// Room for the result of one operator on three edges and an island (or two of each).
 fn roomy() -> Dcel {
     Dcel::with_limits(Room { vertices: 6, edges: 5, boundaries: 7, faces: 5 })
 }
 
-/// Less room than two edges and an island can come to, so that operators are refused for want of it.
+/// Less room than two edges and an island can need, so that operators are refused for lack of room.
 fn tight() -> Dcel {
     Dcel::with_limits(Room { vertices: 3, edges: 2, boundaries: 2, faces: 2 })
 }

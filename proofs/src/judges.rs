@@ -6,17 +6,17 @@ use twinedge::validate::{
     VertexRow, reference, validate,
 };
 
-/// Whose opinion is asked.
+/// The validator under test.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Judge {
-    /// The validator.
+    /// The validator of the library.
     Fast,
-    /// The same, but never finding this rule broken: a planted fault.
+    /// The validator with a planted fault: it never finds this rule broken.
     BlindTo(Rule),
 }
 
 impl Judge {
-    /// The first broken rule.
+    /// Returns the first broken rule.
     ///
     /// # Panics
     /// If the validator calls a structure valid and finds something, or finds nothing and does not call it so.
@@ -41,8 +41,8 @@ pub enum Tables {
     },
     /// One vertex without half-edges, one boundary component, and one face that lists at most two inner ones.
     Vertex,
-    /// One loop, two boundary components, and two faces that each list at most one inner one. The loop itself is
-    /// right, and so is what the boundary components say of it; the faces, and to whom what belongs, are not.
+    /// One loop, two boundary components, and two faces that each list at most one inner one. The links of the
+    /// loop and of the boundary components to it are valid; the faces, and all links to and from them, are free.
     Loop,
 }
 
@@ -122,9 +122,9 @@ fn choose_table(tables: Tables, source: &mut impl Choose) -> (Table, Expectation
     }
 }
 
-/// A validator returns, and its first broken rule is that of the reference validator.
+/// Checks that a validator returns, and finds the same first broken rule as the reference validator.
 ///
-/// The case counts if the table is valid or nearly so: if R1 holds.
+/// The case is relevant if the table is valid or nearly so: if R1 holds.
 ///
 /// # Panics
 /// If the two differ.

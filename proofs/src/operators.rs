@@ -1,7 +1,7 @@
 //! Laws of the operators of any subject.
 //!
-//! Each body starts from the empty map, and tells whether the case was one that it speaks about: an operator that
-//! refuses keeps the rules too, but says little.
+//! Each body starts from the empty map, and returns whether the case was relevant: an operator that refuses keeps the
+//! rules too, but says little.
 
 use crate::grow::{Arguments, Bound, choose_op, choose_side, choose_turn, grow};
 use twinedge::program::choose::Choose;
@@ -20,7 +20,7 @@ fn keeps_all_rules<V: View>(view: &V) -> bool {
     validate(view, &Expectation::plane(), Collect::First).is_valid()
 }
 
-/// An operator, with any live arguments, leaves a map that keeps every rule.
+/// Checks that an operator, with any live arguments, leaves a map that keeps every rule.
 ///
 /// # Panics
 /// If a rule is broken.
@@ -32,10 +32,10 @@ pub fn keeps_rules<K: Subject>(operator: OpKind, bound: Bound, empty: K, source:
     outcome == StepOutcome::Applied
 }
 
-/// An operator that refuses, be it for its arguments or for want of room, leaves the structure as it was, in every
-/// field.
+/// Checks that an operator that refuses, for its arguments or for lack of room, leaves every field of the structure
+/// unchanged.
 ///
-/// Before it, one operator is run that retires handles, so that there are stale ones to choose.
+/// One operator that retires handles runs before it, so that there are stale handles to choose.
 ///
 /// # Panics
 /// If a field has changed.
@@ -49,7 +49,7 @@ pub fn refuses_without_a_trace<K: Subject>(operator: OpKind, bound: Bound, empty
     true
 }
 
-/// Removes something, or nothing.
+/// Removes a record, or nothing.
 fn retire<K: Subject>(bound: Bound, runner: &mut Runner<K>, source: &mut impl Choose) -> bool {
     let operator = match source.choose(5) {
         0 => return false,
@@ -71,10 +71,10 @@ pub enum HandleKind {
     Face,
 }
 
-/// Every operator and every question refuses a stale handle as stale, also after its slot was used again.
+/// Checks that every operator and every query refuses a stale handle as stale, even after its slot was used again.
 ///
 /// # Panics
-/// If it is taken for a live one, or refused for another reason.
+/// If a stale handle is taken for a live one, or refused for another reason.
 pub fn refuses_stale<K: Subject>(kind: HandleKind, bound: Bound, empty: K, source: &mut impl Choose) -> bool {
     let mut runner = grown(empty, bound, source);
     if !retire(bound, &mut runner, source) {
@@ -114,7 +114,7 @@ fn stale<T>(what: &str, answer: Result<T, Refusal>) {
     assert!(refusal == Some(Refusal::Stale), "a stale handle is not refused as such by {what}: {refusal:?}");
 }
 
-/// The same of an operator.
+/// Asserts that the operator refuses a stale handle.
 fn refuses<K: Subject>(subject: &mut K, call: CallOf<K>) {
     let name = call.kind().name();
     stale(name, subject.apply(call));
@@ -160,10 +160,10 @@ fn refuses_stale_face<K: Subject>(subject: &mut K, face: K::Face, live: Option<C
     }
 }
 
-/// An operator, then its inverse, gives an isomorphic map.
+/// Checks that an operator followed by its inverse yields an isomorphic map.
 ///
 /// # Panics
-/// If it does not, or if the inverse is refused.
+/// If the map differs, or if the inverse is refused.
 pub fn is_undone<K: Subject>(operator: OpKind, bound: Bound, empty: K, source: &mut impl Choose) -> bool {
     let runner = grown(empty, bound, source);
     let map = Map {
@@ -190,8 +190,8 @@ struct Map<K: Subject> {
 }
 
 impl<K: Subject> Map<K> {
-    /// The subject after an operator and its inverse, and whether the latter was done; nothing if the former was
-    /// refused.
+    /// Returns the subject after an operator and its inverse, and whether the inverse was done; `None` if the
+    /// operator was refused.
     fn there_and_back(mut self, operator: OpKind, bound: Bound, source: &mut impl Choose) -> Option<(K, bool)> {
         let inverse = match operator {
             OpKind::AddIsolatedVertex => {
@@ -267,15 +267,14 @@ impl<K: Subject> Map<K> {
         choose_of(&faces, source)
     }
 
-    /// The corner in which a half-edge leaves, as it is named once its edge is gone.
+    /// Returns the corner in which a half-edge leaves, as it is named once its edge is removed.
     fn corner_without(&self, n: K::HalfEdge) -> Option<CornerOf<K>> {
         let t = self.subject.twin_of(n).ok()?;
         let other = self.subject.next_of(t).ok()?;
         if other != n && other != t {
             return Some(Corner::At(other));
         }
-        // At a loop with nothing on one side, the corner is that on the other side; at a leaf there is no other
-        // half-edge.
+        // At a loop with nothing on one side, the corner is on the other side; at a leaf there is no other half-edge.
         let across = self.subject.next_of(n).ok()?;
         let is_loop = self.subject.origin_of(n).ok()? == self.subject.origin_of(t).ok()?;
         if is_loop && across != n && across != t {
@@ -308,8 +307,8 @@ impl<K: Subject> Map<K> {
             };
             (face, self.corners.iter().filter(lies_in).copied().collect::<Vec<_>>())
         });
-        // A loop drawn from a corner to itself has all else to its left. If this one has it to its right, its twin is
-        // drawn.
+        // A loop drawn from a corner to itself has everything else to its left. If this one has it to its right, draw
+        // its twin.
         let is_alone = self.subject.next_of(n).ok()? == n;
         let dropped = match self.subject.apply(Call::RemoveEdge { half_edge: n }).ok()? {
             Some(Handle::Face(face)) => Some(face),
@@ -330,7 +329,7 @@ impl<K: Subject> Map<K> {
         let (after_t, after_n) = (self.subject.next_of(t).ok()?, self.subject.next_of(n).ok()?);
         let dropped = self.subject.apply(Call::ContractEdge { half_edge: n }).ok()?;
         let kept = if dropped == Some(Handle::Vertex(ends[0])) { ends[1] } else { ends[0] };
-        // The half-edges of the target are met between these two corners; a leaf has none, so they are one.
+        // The half-edges of the target lie between these two corners; a leaf has none, so they are one.
         let (from, to) = match (after_t == n, after_n == t) {
             (false, false) => (Corner::At(after_t), Corner::At(after_n)),
             (false, true) => (Corner::At(after_t), Corner::At(after_t)),

@@ -1,4 +1,4 @@
-//! A subject with one fault: what a harness must notice.
+//! A subject with one fault, which a harness must notice.
 
 use crate::operators::HandleKind;
 use core::cell::Cell;
@@ -7,7 +7,6 @@ use twinedge::delegate_view;
 use twinedge::program::{CallOf, Corner, CornerOf, HandleOf, OpKind, Refusal, Subject};
 use twinedge::validate::{Table, View};
 
-/// A field of a record.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Field {
     Origin,
@@ -19,16 +18,15 @@ pub(crate) enum Field {
     Inner,
 }
 
-/// A fault of the subject.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Fault {
     /// The values that the operator writes to this field of older records are lost.
     Loses(OpKind, Field),
-    /// The operator says that it is done, and nothing is, from this call on, counted from 0.
+    /// The operator reports success but does nothing, from this call on, counted from 0.
     Skips(OpKind, u32),
-    /// The operator issues a record before it knows that it will refuse, and then retires it again.
+    /// The operator adds a record before it knows that it will refuse, and then retires it again.
     LeavesTrace(OpKind),
-    /// A stale handle is taken for that of some live record.
+    /// A stale handle is taken for the handle of some live record.
     TakesStale(HandleKind),
 }
 
@@ -36,10 +34,10 @@ pub(crate) enum Fault {
 #[derive(Clone, Debug)]
 pub(crate) struct Planted {
     dcel: Dcel,
-    /// The table that it shows of itself.
+    /// The table that the subject shows of itself.
     table: Table,
     fault: Fault,
-    /// The number of calls of the operator that is to be skipped.
+    /// The number of calls of the skipped operator.
     calls: Cell<u32>,
 }
 
@@ -72,7 +70,7 @@ impl Planted {
     }
 }
 
-/// Puts back what a field said before, in all records that were there.
+/// Restores the earlier values of a field in all records that existed before.
 fn lose(before: &Table, after: &mut Table, field: Field) {
     fn pairs<'a, T>(before: &'a [Option<T>], after: &'a mut [Option<T>]) -> impl Iterator<Item = (&'a T, &'a mut T)> {
         before.iter().zip(after).filter_map(|(before, after)| Some((before.as_ref()?, after.as_mut()?)))
@@ -122,7 +120,7 @@ impl Subject for Planted {
         self.dcel.next_of(self.half_edge(half_edge))
     }
 
-    /// Applies an operator, unless it is skipped, and plants the fault in what the structure then says.
+    /// Applies an operator, unless it is skipped, and plants the fault in the resulting structure.
     fn apply(&mut self, call: CallOf<Self>) -> Result<Option<HandleOf<Self>>, Refusal> {
         let kind = call.kind();
         let call = call.map(|v| self.vertex(v), |h| self.half_edge(h), |f| self.face(f));

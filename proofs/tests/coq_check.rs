@@ -1,4 +1,5 @@
-//! `coq/check` says whether the proof was checked: with other versions it was not, and nothing is wrong.
+//! `coq/check` reports whether the proof was checked: with other versions it was not, which is no
+//! failure.
 
 #![cfg(unix)]
 

@@ -1,4 +1,4 @@
-//! The faults can be planted: each text is there, once.
+//! The faults can be planted: each text occurs once.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -30,7 +30,7 @@ fn every_fault_can_be_planted() {
     }
 }
 
-/// Both the text and its replacement are expressions: else the planted sources do not compile.
+/// Both the text and its replacement are expressions: otherwise the planted sources do not compile.
 #[test]
 fn faults_are_expressions() {
     for Fault { what, text, wrong, .. } in all() {

@@ -1,4 +1,4 @@
-//! `coq/README.md` says what stands behind each Rust file: none is left out, and each that is named is there.
+//! `coq/README.md` has a row for every Rust file, and every file that it names exists.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -6,7 +6,7 @@ use std::path::Path;
 
 const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
 
-/// The Rust files in a folder, without `.rs`, but for those that Cargo makes.
+/// Collects the Rust files in a folder, without `.rs`, except Cargo's own.
 fn add_files(folder: &Path, files: &mut Vec<String>) {
     for entry in fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
         let name = entry.file_name().unwrap().to_str().unwrap();
@@ -18,7 +18,7 @@ fn add_files(folder: &Path, files: &mut Vec<String>) {
     }
 }
 
-/// The names in the first cells of each table, by the folder in its head.
+/// Returns the names in the first cells of each table, by the folder in its head.
 fn tables(text: &str) -> BTreeMap<String, Vec<String>> {
     let (mut tables, mut folder): (BTreeMap<String, Vec<String>>, _) = (BTreeMap::new(), String::new());
     for line in text.lines().skip_while(|line| *line != "## File by file") {
@@ -44,7 +44,7 @@ fn each_file_has_a_row_and_each_name_a_file() {
     unused.sort();
     assert!(unused.windows(2).all(|two| two[0] != two[1]), "a name is in two rows");
     for file in files {
-        // The table of the innermost folder, and of its rows the one with the longest name.
+        // In the table of the innermost folder, the row with the longest matching name.
         let (_, rows) = tables.iter().rfind(|(folder, _)| file.starts_with(folder.as_str())).unwrap();
         let fitting = rows.iter().filter(|row| **row == file || row.ends_with('/') && file.starts_with(row.as_str()));
         let row = fitting.max_by_key(|row| row.len()).unwrap_or_else(|| panic!("{file}.rs is in no row"));

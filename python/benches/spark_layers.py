@@ -36,7 +36,7 @@ import twinedge
 from twinedge import tiles
 
 FILES = 8
-#: With limits, the summary of a tile is as large as what was found and what its border cuts, and not as what could be found.
+#: With limits, the size of a tile's summary follows its findings and the cuts of its border, not all possible findings.
 LIMITS = {"gap_width": 0.1, "sliver_area": 1.0}
 COUNTS = ("vertices", "edges", "cycles", "faces", "components", "isolated_vertices")
 
@@ -80,7 +80,7 @@ def measured(name: str, work: Callable[[], Any]) -> Any:
         done.set()
         watcher.join()
     seconds = processes(os.getpid())[0] - before
-    # The program beside this one has none of its memory.
+    # The separate program uses none of the idle memory of this one.
     used = peak[0] - idle if "one process" in name else peak[0]
     print(f"| {name} | {time.monotonic() - start:.1f} s | {seconds:.1f} s | {used / 1e6:,.0f} MB |", flush=True)
     return outcome
@@ -93,7 +93,7 @@ def in_files(source: Path, folder: Path, program: str) -> Path:
     outs = [part.open("wb") for part in parts]
     with source.open("rb") as lines:
         for number, line in enumerate(lines):
-            # Neighbours are mostly in one file, as in a layer that was exported by districts.
+            # Neighbours are mostly in one file, as in a layer exported by districts.
             outs[number // 64 % FILES].write(line)
     for part, out in zip(parts, outs):
         out.close()
@@ -174,7 +174,7 @@ def main() -> None:
     arguments.add_argument("--program", default=shutil.which("twinedge"))
     arguments.add_argument("--memory", default="1g", help="the most that Java may take")
     asked = arguments.parse_args()
-    # The workers import what this program imports.
+    # The workers import the modules that this program imports.
     os.environ.setdefault("PYSPARK_PYTHON", sys.executable)
     with tempfile.TemporaryDirectory() as made:
         scratch = Path(made)

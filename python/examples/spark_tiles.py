@@ -42,7 +42,7 @@ def parcels() -> list[shapely.Polygon]:
     for at, (dx, dy) in [(50, (1, 1)), (51, (-1, 1)), (62, (1, -1)), (63, (-1, -1))]:
         x, y = 3, 5
         squares[at] = squares[at].difference(shapely.Polygon([(x - 0.4, y), (x, y - 0.4), (x + 0.4, y), (x, y + 0.4)]))
-    # A road along the upper side, a plot that has a part of it, and a parcel that is there twice.
+    # A road along the upper side, a plot that overlaps a part of it, and a duplicate parcel.
     road = shapely.segmentize(shapely.box(0, ACROSS, ACROSS, ACROSS + 0.4), 1)
     return [*squares, road, shapely.box(4.5, ACROSS, 5.5, ACROSS + 0.4), squares[100]]
 
@@ -72,7 +72,7 @@ def is_cut(finding: twinedge.Finding, layer: list[shapely.Polygon], grid: tiles.
 
 
 def main() -> None:
-    # The workers import what this program imports.
+    # The workers import the modules that this program imports.
     os.environ.setdefault("PYSPARK_PYTHON", sys.executable)
     layer, folder = parcels(), tempfile.mkdtemp()
     write(layer, folder)

@@ -2,22 +2,25 @@
 //!
 //! # Why it is sound
 //!
-//! The memory of an array belongs to numpy. While the interpreter lock is released, another thread may write to it from Python,
-//! and even while it is held a function of numpy that has released it may. No lock and no flag of numpy excludes this (the base of a
-//! read-only array may be writable), so no `&[i64]` may ever lead there: it would promise that the memory does not change. Here it is
-//! read as atomic integers, which promise nothing: each read is one load of an aligned integer, of which the compiler assumes
-//! no earlier value. A write that happens meanwhile gives the old value or the new one. The validator trusts no value: any answers, also
-//! those that change, end in a report, without a panic or a read outside of the slice.
+//! The memory of an array belongs to numpy. While the interpreter lock is released, another thread may write to it from
+//! Python, and even while the lock is held, a numpy function that has released it may write. No lock and no flag of
+//! numpy excludes this (the base of a read-only array may be writable), so no `&[i64]` may ever lead there: it would
+//! promise that the memory does not change. Here it is read as atomic integers, which promise nothing: each read is one
+//! load of an aligned integer, and the compiler assumes no earlier value. During a write, a load returns the old value
+//! or the new one. The validator trusts no value: any answers, even changing ones, end in a report, without a panic or
+//! a read outside of the slice.
 //!
-//! - *Alive*: a column keeps a reference to its array. numpy frees or moves the memory of an array only with its last reference, or
-//!   in `ndarray.resize(…, refcheck=False)`, which turns off numpy's own check for this and must not be called meanwhile, as with
-//!   any other use of the array.
+//! - *Alive*: a column keeps a reference to its array. numpy frees or moves the memory of an array only with its last
+//!   reference, or in `ndarray.resize(…, refcheck=False)`, which turns off numpy's own check for this and must not be
+//!   called meanwhile, as with any other use of the array.
 //! - *In bounds, aligned*: pointer, shape and strides are read under the lock, and the slice spans exactly the elements
-//!   between the first and the last, all of which numpy guarantees to be there (`as_strided` of `numpy.lib.stride_tricks` can make
-//!   arrays of which it does not, for every user of such an array). What is not aligned or not in whole steps is refused.
-//! - *Initialised*: numpy's integers have no invalid bit pattern, and `numpy.empty` hands out memory that has some.
-//! - *Types*: an atomic integer has the size, alignment and bit pattern of the integer. Atomic loads need no write access on
-//!   the targets that have these types, so read-only memory (a mapped file) is fine.
+//!   between the first and the last. numpy guarantees that all of them exist (except for arrays made by `as_strided` of
+//!   `numpy.lib.stride_tricks`, which break every user of such an array). An array that is unaligned or not in whole
+//!   steps is refused.
+//! - *Initialised*: numpy's integers have no invalid bit pattern, and `numpy.empty` hands out memory that has some bit
+//!   pattern.
+//! - *Types*: an atomic integer has the size, alignment and bit pattern of the integer. Atomic loads need no write
+//!   access on the targets that have these types, so read-only memory (a mapped file) is fine.
 
 use numpy::{Element, PyArray1, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyTypeError, PyValueError};
@@ -25,7 +28,7 @@ use pyo3::prelude::*;
 use std::sync::atomic::{AtomicI32, AtomicI64, Ordering::Relaxed};
 use twinedge_columns::{Cell, Column};
 
-/// An integer of numpy, with the atomic integer as which it is read.
+/// An integer type of numpy, with the atomic integer to read it as.
 pub(crate) trait Atomic: Element {
     /// Of the same size, alignment and bits. Only this file implements it.
     type As: Cell + Sync;
@@ -76,7 +79,7 @@ impl<T: Atomic> Clone for Cells<'_, T> {
 impl<T: Atomic> Copy for Cells<'_, T> {}
 
 impl<'py, T: Atomic> Array<'py, T> {
-    /// The array, if it is one-dimensional and of this type.
+    /// Returns the array, if it is one-dimensional and of this type.
     pub(crate) fn new(name: &'static str, array: &Bound<'py, PyAny>) -> PyResult<Self> {
         let array = array.cast::<PyArray1<T>>().map_err(|_| {
             PyTypeError::new_err(format!("{name}: expected a one-dimensional array of the same type as the others"))
@@ -84,7 +87,7 @@ impl<'py, T: Atomic> Array<'py, T> {
         Ok(Self { name, array: array.clone() })
     }
 
-    /// Its cells.
+    /// Returns the cells of the array.
     #[allow(unsafe_code, reason = "the one place, argued at the head of the file")]
     pub(crate) fn cells(&self) -> PyResult<Cells<'_, T>> {
         let refused = |why| PyValueError::new_err(format!("{}: {why}", self.name));
@@ -104,21 +107,21 @@ impl<'py, T: Atomic> Array<'py, T> {
             steps.filter(|steps| steps.checked_mul(size).is_some_and(|bytes| bytes <= isize::MAX as usize - size));
         let Some(steps) = steps else { return Err(refused("the array spans too much memory")) };
         let first = if stride < 0 { steps } else { 0 };
-        // SAFETY: `start` leads to element 0, and element `len - 1` lies `steps` integers after it, or before it if the stride is
-        // negative. Both are in one allocation, which `self.array` keeps. All between them is initialised memory of that allocation,
-        // aligned as element 0 is. See the head of the file for writes by others.
+        // SAFETY: `start` leads to element 0, and element `len - 1` lies `steps` integers after it, or before it if the
+        // stride is negative. Both are in one allocation, which `self.array` keeps. Everything between them is
+        // initialised memory of that allocation, aligned like element 0. See the head of the file for writes by others.
         let span = unsafe { std::slice::from_raw_parts(start.cast::<T::As>().cast_const().sub(first), steps + 1) };
         Ok(Cells { span, first, stride, len })
     }
 }
 
 impl<'a, T: Atomic> Cells<'a, T> {
-    /// The column of links.
+    /// Returns the column of links.
     pub(crate) fn column(&self) -> PyResult<Column<'a, T::As>> {
         Column::strided(self.span, self.first, self.stride, self.len).map_err(|e| PyValueError::new_err(e.to_string()))
     }
 
-    /// A number that is another one after nearly every change of the array.
+    /// Returns a number that differs after nearly every change of the array.
     pub(crate) fn sum(&self) -> u64 {
         let (mut at, mut sum, mut weight) = (self.first, 0_u64, 1_u64);
         for _ in 0..self.len {

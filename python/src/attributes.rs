@@ -9,13 +9,13 @@ use twinedge::dcel::{Attribute, Attributed, Edges, Faces, Policy, Value, Vertice
 use twinedge_map::PlanarMap;
 use twinedge_map::edit::EditError;
 
-/// The exception that a function of a policy raised.
+/// The exception raised by the function of a policy.
 pub(crate) type Raised = Arc<Mutex<Option<PyErr>>>;
 
-/// Writes a value.
+/// A function that writes a value.
 pub(crate) type Setting = Box<dyn FnOnce(&mut PlanarMap) -> Result<(), EditError>>;
 
-/// An attribute whose type is not known.
+/// An attribute of unknown type.
 pub(crate) trait Column: Send + Sync {
     fn setting(&self, of: u64, value: Option<Bound<'_, PyAny>>) -> PyResult<Setting>;
     fn get(&self, py: Python<'_>, map: &PlanarMap, of: u64) -> PyResult<Option<Py<PyAny>>>;
@@ -23,7 +23,7 @@ pub(crate) trait Column: Send + Sync {
     fn find(&self, map: &PlanarMap, value: &Bound<'_, PyAny>) -> PyResult<Option<u64>>;
 }
 
-/// A value that Python has, too.
+/// A value type that Python also has.
 trait Told: Value {
     fn told(&self, py: Python<'_>) -> PyResult<Py<PyAny>>;
     fn read(value: &Bound<'_, PyAny>) -> PyResult<Self>;
@@ -112,7 +112,7 @@ impl Rule {
     }
 }
 
-/// Calls a function of a policy. Its exception is kept, and the edit refused.
+/// Calls a function of a policy. Keeps its exception, and refuses the edit.
 fn call<'py, R: FromPyObjectOwned<'py>>(
     py: Python<'py>,
     function: &Py<PyAny>,
@@ -195,7 +195,7 @@ fn of_objects<K: Attributed>(
 
 const DIFFER: &str = "the values of the merged records differ";
 
-/// A policy for numbers, but for how they are shared out.
+/// A policy for numbers, except for their distribution.
 fn of_numbers<K: Attributed>(policy: Policy<K, f64>, split: &Rule, merge: &Rule) -> PyResult<Policy<K, f64>> {
     let policy = match split.name() {
         "keep" | "share" | "between" => policy,

@@ -54,7 +54,7 @@ impl MapAsked {
     pub(crate) fn options(&self) -> Result<Options, Failure> {
         let accepted = self.accept.as_deref().map(Accepted::read).transpose();
         Ok(Options {
-            // A finding that is not listed would not be accepted.
+            // A finding that is not listed could not be accepted.
             list: Some(if self.accept.is_some() { usize::MAX } else { self.list }),
             map: MapOptions { snap: snap(self.snap), name_from: self.name.clone(), allow_empty: false },
             coverage: CoverageOptions { is_rule: self.coverage, limits: self.limits.limits() },
@@ -74,10 +74,11 @@ fn edges(word: &str) -> Result<Edges, Failure> {
     }
 }
 
-/// A report as JSON; its findings as a layer of GeoJSON with the warnings of that, if they have places; and as a list of accepted ones.
+/// A report as JSON; its findings as a layer of GeoJSON with the warnings of the layer, if they have places; and its
+/// findings as a list of accepted ones.
 pub(crate) type Told = (String, Option<String>, Vec<String>, String);
 
-/// The forms of a report. What is newly accepted has no reason and no date yet.
+/// Returns the forms of a report. Newly accepted findings have no reason and no date yet.
 pub(crate) fn told(audited: &Audited, accepted: Option<&Accepted>) -> Result<Told, Failure> {
     let text = |bytes: Vec<u8>| String::from_utf8(bytes).map_err(Failure::value);
     let (layer, warnings) = audited.findings().ok().unzip();
@@ -85,7 +86,8 @@ pub(crate) fn told(audited: &Audited, accepted: Option<&Accepted>) -> Result<Tol
     Ok((text(audited.json()?)?, layer.map(text).transpose()?, warnings.unwrap_or_default(), text(list)?))
 }
 
-/// Judges a map, or a mesh: the report, and of a mesh where the corners of each face begin. A report that says so, if time is up before.
+/// Judges a map or a mesh. Returns the report, and for a mesh the positions at which the corners of each face begin. If
+/// time runs out, the report says so.
 #[pyfunction]
 pub(crate) fn audit(
     py: Python<'_>,
@@ -139,8 +141,8 @@ fn open_and_judge(source: Source, options: &Options) -> Result<Audited, Failure>
     Ok(audited)
 }
 
-/// Joins faces at their edges and judges the result. Corners are vertices, face by face; `offsets` says where each begins. The
-/// arrays are copied before the lock is released.
+/// Joins faces at their edges and judges the result. Corners are vertices, face by face; `offsets` has the start of
+/// each face. The arrays are copied before the lock is released.
 #[pyfunction]
 pub(crate) fn audit_faces(
     py: Python<'_>,
@@ -153,7 +155,7 @@ pub(crate) fn audit_faces(
     let options =
         Options { list: Some(asked.list()), mesh: asked.asking(HalfEdgeMesh::expectation()), ..Options::default() };
     let work = move || {
-        // Of the points only the number counts here.
+        // Only the number of the points counts here.
         let mesh = IndexedMesh::new(vec![[0.0; 3]; vertices], corners, offsets).map_err(Failure::value)?;
         told(&audit_mesh("faces", mesh, &options)?, None)
     };
@@ -164,7 +166,8 @@ pub(crate) fn audit_faces(
 /// Three lists of ids, and a number.
 type Difference = (Vec<String>, Vec<String>, Vec<String>, usize);
 
-/// The ids of what only the newer of two reports has, only the older one, or both with other measures, and the number of the others.
+/// The ids of the findings only in the newer of two reports, only in the older one, and in both with other measures,
+/// and the number of all others.
 #[pyfunction]
 pub(crate) fn diff(old: &str, new: &str) -> PyResult<Difference> {
     let read = |name: &str, text: &str| -> PyResult<Compared> {

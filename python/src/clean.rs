@@ -10,11 +10,11 @@ use twinedge_formats::layer::clean::{CleanOptions, GapsTo};
 use twinedge_formats::layer::{Format, Layer, write};
 use twinedge_report::clean::{Cleaning, Repair};
 
-/// The features whose geometry is another one now, by number, with that geometry as hexadecimal digits of well-known binary.
+/// The features with a changed geometry, by number, with the new geometry as hexadecimal digits of well-known binary.
 type Changed = Vec<(usize, Option<String>)>;
 
-/// Repairs the polygons of a layer: the report, and what has changed. A `cell` of 0 chooses the grid. Gaps go to one of the features of
-/// `gaps_to`, and to a new one behind the others if that is empty.
+/// Repairs the polygons of a layer. Returns the report and the changes. A `cell` of 0 chooses the grid. Gaps go to one
+/// of the features of `gaps_to`, or to a new one behind the others if that is empty.
 #[pyfunction]
 pub(crate) fn clean(
     py: Python<'_>,

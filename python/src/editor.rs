@@ -1,4 +1,4 @@
-//! A map that is edited: changes that are undone and redone, each validated.
+//! A map to edit: changes with undo and redo, each validated.
 
 use crate::attributes::{Column, Raised, add};
 use crate::maps::{Map, Polygons, of_faces};
@@ -77,7 +77,8 @@ fn stale(error: StaleKey) -> PyErr {
     PyKeyError::new_err(in_keys_of_python(&error.to_string()))
 }
 
-/// A message of the library, in which `VertexKey(3v1)` is `vertex 4294967299`: keys are integers in Python.
+/// Rewrites a message of the library: `VertexKey(3v1)` becomes `vertex 4294967299`, as keys are integers in
+/// Python.
 fn in_keys_of_python(message: &str) -> String {
     let mut told = message.to_owned();
     for (debug, word) in [
@@ -98,7 +99,7 @@ fn in_keys_of_python(message: &str) -> String {
     told
 }
 
-/// The integer of a key whose debug form is its index, `v`, and its version.
+/// Returns the integer of a key, from its debug form: index, `v`, version.
 fn integer(key: &str) -> Option<u64> {
     let (index, version) = key.split_once('v')?;
     Some(version.parse::<u64>().ok()? << 32 | index.parse::<u64>().ok()?)
@@ -124,7 +125,7 @@ impl Editor {
         self.history.as_mut().ok_or_else(busy)
     }
 
-    /// The exception for an edit that was refused: that of a policy, if one raised.
+    /// Returns the exception for a refused edit: the policy's exception, if it raised one.
     fn failed(&self, error: EditError) -> PyErr {
         let raised = self.raised.lock().ok().and_then(|mut raised| raised.take());
         raised.unwrap_or_else(|| match error {
@@ -133,7 +134,7 @@ impl Editor {
         })
     }
 
-    /// Does an edit: as a part of the change that runs, or as a change of its own.
+    /// Does an edit, as a part of the running change or as a change of its own.
     fn edit<T>(
         &mut self,
         name: &'static str,
@@ -168,7 +169,7 @@ fn busy() -> PyErr {
     PyRuntimeError::new_err("a change is being made")
 }
 
-/// The editor, as soon as no other thread has it.
+/// Returns the editor once no other thread holds it.
 fn claimed<'py>(editor: &Bound<'py, Editor>) -> PyRefMut<'py, Editor> {
     loop {
         match editor.try_borrow_mut() {
@@ -185,7 +186,7 @@ impl Editor {
         Self::begin(PlanarMap::new())
     }
 
-    /// An editor of a copy of a map.
+    /// Makes an editor of a copy of a map.
     #[staticmethod]
     fn of(map: &Map) -> PyResult<Self> {
         Self::begin(map.plane()?.clone())
@@ -205,7 +206,7 @@ impl Editor {
         }
         let raised = self.raised.clone();
         let history = self.history.take().ok_or_else(busy)?;
-        // A history begins anew with the map, as its changes know nothing of the attribute.
+        // The map's history begins anew, as its changes know nothing of the attribute.
         if history.undo_name().is_some() || history.redo_name().is_some() {
             self.history = Some(history);
             return Err(PyValueError::new_err("attributes are added before the first change"));
@@ -217,7 +218,7 @@ impl Editor {
         Ok(())
     }
 
-    /// Does what a function does as one change.
+    /// Runs a function as one change.
     fn change(slf: &Bound<'_, Self>, name: String, change: Bound<'_, PyAny>) -> PyResult<Py<PyAny>> {
         let mut history = slf.try_borrow_mut()?.history.take().ok_or_else(busy)?;
         let outcome = history.change(Cow::Owned(name), |map| {
@@ -285,7 +286,7 @@ impl Editor {
         self.edit("move a vertex", |map| map.move_vertex(KeyData::from_ffi(vertex).into(), to))
     }
 
-    /// Gives a value to a record, or takes it away.
+    /// Sets or removes the value of a record.
     fn set(&mut self, name: &str, of: u64, value: Option<Bound<'_, PyAny>>) -> PyResult<()> {
         let set = self.column(name)?.setting(of, value)?;
         self.edit("set a value", set)
@@ -328,7 +329,7 @@ impl Editor {
         face_area(self.map()?, KeyData::from_ffi(face).into()).map_err(stale)
     }
 
-    /// The vertices around a face, a list for each part of its boundary, the outer one first.
+    /// Returns the vertices around a face, a list for each part of its boundary, the outer one first.
     fn rings(&self, face: u64) -> PyResult<Vec<Vec<u64>>> {
         let face = self.map()?.dcel().face(KeyData::from_ffi(face).into()).map_err(stale)?;
         let ring = |around: Vec<HalfEdge<'_>>| around.into_iter().map(|h| key(h.origin().key())).collect();
@@ -339,18 +340,18 @@ impl Editor {
         Ok(rings.collect())
     }
 
-    /// The features that cover a face.
+    /// Returns the features that cover a face.
     fn features_of(&self, face: u64) -> PyResult<Vec<usize>> {
         let features = self.map()?.features_of(KeyData::from_ffi(face).into()).map_err(stale)?;
         Ok(features.into_iter().map(FeatureId::index).collect())
     }
 
-    /// The polygons of a face.
+    /// Returns the polygons of a face.
     fn polygons(&self, face: u64) -> PyResult<Polygons> {
         of_faces(self.map()?, vec![KeyData::from_ffi(face).into()])
     }
 
-    /// The kind of record at a point, and its key.
+    /// Returns the kind of record at a point, and its key.
     fn at(&self, point: [f64; 2]) -> PyResult<(&'static str, u64)> {
         let [x, y] = point;
         let found = self.map()?.locate(Point::new(x, y)).map_err(|error| PyValueError::new_err(error.to_string()))?;

@@ -5,7 +5,7 @@ use pyo3::prelude::*;
 use twinedge::validate::Expectation;
 use twinedge_columns::Preset;
 
-/// The rules that must be asked for, and how many violations are listed.
+/// The required rules, and the number of violations to list.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub(crate) struct Claims {
@@ -29,7 +29,7 @@ impl Claims {
         self.list
     }
 
-    /// The expectation of a structure of columns.
+    /// Returns the expectation of a structure of columns.
     pub(crate) fn of_columns(&self) -> PyResult<Expectation> {
         let base = match &self.preset {
             None if self.plane => Expectation::plane(),
@@ -47,7 +47,7 @@ impl Claims {
         Ok(self.asking(base))
     }
 
-    /// The expectation, with what is asked for.
+    /// Returns the expectation, with the required rules.
     pub(crate) fn asking(&self, mut expectation: Expectation) -> Expectation {
         if self.open {
             expectation = expectation.open();

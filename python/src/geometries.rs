@@ -1,4 +1,4 @@
-//! Geometries of Arrow: well-known binary, or the coordinates and offsets of `GeoArrow`, read where they are.
+//! Geometries of Arrow: well-known binary, or the coordinates and offsets of `GeoArrow`, read in place.
 
 use crate::source::Failure;
 use numpy::PyReadonlyArray1;
@@ -39,13 +39,13 @@ enum Offsets<'py> {
     Wide(PyReadonlyArray1<'py, i64>),
 }
 
-/// Columns that need Python no more.
+/// Columns that no longer need Python.
 pub(crate) enum Given {
     Binary(Vec<Option<PyBackedBytes>>),
     Features(Vec<Feature>),
 }
 
-/// Takes columns, one after the other. Those of `GeoArrow` are read.
+/// Takes columns, one after the other. Reads columns of `GeoArrow`.
 pub(crate) fn given(columns: Vec<Column<'_>>) -> Result<Vec<Given>, Failure> {
     let of_column = |column: Column<'_>| match column {
         Column::Binary(geometries) => Ok(Given::Binary(geometries)),
@@ -54,7 +54,7 @@ pub(crate) fn given(columns: Vec<Column<'_>>) -> Result<Vec<Given>, Failure> {
     columns.into_iter().map(of_column).collect()
 }
 
-/// The features of all columns. Well-known binary is read.
+/// Returns the features of all columns. Reads well-known binary.
 pub(crate) fn features(given: Vec<Given>) -> Result<Vec<Feature>, Failure> {
     let mut features = Vec::new();
     for column in given {
@@ -77,7 +77,7 @@ fn feature(place: usize, geometry: Option<&PyBackedBytes>) -> Result<Feature, Fa
 }
 
 impl Offsets<'_> {
-    /// The places below a place, if they are in order.
+    /// Returns the positions below a position, if they are in order.
     fn below(&self, place: usize) -> Option<Range<usize>> {
         let at = |place: usize| match self {
             Self::Narrow(offsets) => offsets.as_array().get(place).and_then(|offset| usize::try_from(*offset).ok()),
@@ -111,7 +111,7 @@ impl Native<'_> {
         (0..self.length).map(|place| feature(place).ok_or_else(|| wrong(place))).collect()
     }
 
-    /// None, if offsets are out of order, or a coordinate is not finite.
+    /// Returns `None` if offsets are out of order, or a coordinate is not finite.
     fn shapes(&self, place: usize) -> Option<Vec<Shape>> {
         let polygon = |place: usize| {
             let rings: Vec<Vec<Point>> =
@@ -123,7 +123,7 @@ impl Native<'_> {
             Some((!points.is_empty()).then_some(Shape::Line(points)))
         };
         let shapes: Vec<Option<Shape>> = match self.kind.as_str() {
-            // An empty point has coordinates that are no numbers.
+            // An empty point has NaN coordinates.
             "point" if self.at(place)?.x.is_nan() => Vec::new(),
             "point" => vec![Some(Shape::Point(self.point(place)?))],
             "multipoint" => self.points(0, place)?.into_iter().map(|p| Some(Shape::Point(p))).collect(),

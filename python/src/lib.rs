@@ -1,6 +1,8 @@
-//! The Python module `twinedge._twinedge`: the validator over numpy arrays, audits of meshes and maps, whole or in tiles, what maps can be asked, and maps that are edited.
+//! The Python module `twinedge._twinedge`: the validator over numpy arrays, audits of meshes and maps, whole or in
+//! tiles, queries of maps, and maps to edit.
 //!
-//! Each function returns a report as JSON, in the form of `docs/report.md`. The package `twinedge` makes objects of it.
+//! Each function returns a report as JSON, in the form of `docs/report.md`. The package `twinedge` turns it into
+//! objects.
 
 mod arrays;
 mod attributes;

@@ -1,4 +1,4 @@
-//! A map that is built once and asked often: neighbours, places, contours, overlays, pictures.
+//! A map to build once and query often: neighbours, places, contours, overlays, pictures.
 
 use crate::overlay::{Covered, pieces};
 use crate::source::{Failure, Source, snap};
@@ -32,8 +32,8 @@ pub(crate) type Polygons = Vec<Vec<Vec<[f64; 2]>>>;
 /// A part of an overlay: the features that cover it in either map, and its polygons, each as its rings.
 type Piece = (Vec<usize>, Vec<usize>, Polygons);
 
-/// Two features, the length of their border, that of the part on which one ends and the other begins, the number of its lines, and the area
-/// that both cover.
+/// Two features, the length of their border, the length of the part of it on which one ends and the other begins, the
+/// number of its lines, and the area that both cover.
 type Border = (usize, usize, f64, f64, usize, f64);
 
 /// Builds the map of a layer. A `cell` of 0 chooses the grid on which its segments are cut.
@@ -51,7 +51,7 @@ pub(crate) fn build_map(py: Python<'_>, source: Source, cell: Option<f64>) -> Py
 }
 
 impl Map {
-    /// The map, if its edges meet at shared ends only.
+    /// Returns the map, if its edges meet at shared ends only.
     pub(crate) fn plane(&self) -> PyResult<&PlanarMap> {
         if self.0.map.is_plane() {
             return Ok(&self.0.map);
@@ -78,12 +78,12 @@ pub(crate) fn of_faces(map: &PlanarMap, faces: Vec<FaceKey>) -> PyResult<Polygon
 
 #[pymethods]
 impl Map {
-    /// The number of features.
+    /// Returns the number of features.
     fn __len__(&self) -> usize {
         self.0.map.features().count()
     }
 
-    /// All pairs of features with a border or an overlap.
+    /// Returns all pairs of features with a border or an overlap.
     fn neighbours(&self, geodesic: bool) -> PyResult<Vec<Border>> {
         let map = self.plane()?;
         let units = Units::of(&self.0, geodesic).map_err(|error| PyValueError::new_err(error.to_string()))?;
@@ -91,7 +91,7 @@ impl Map {
         Ok(rows.map(|row| (row.number, row.other_number, row.length, row.shared, row.lines, row.overlap)).collect())
     }
 
-    /// At each point, the kind of record that lies there and the features that it is of, or that it bounds.
+    /// Returns, for each point, the kind of record that lies there and the features that it belongs to or bounds.
     fn at(&self, py: Python<'_>, points: Vec<[f64; 2]>) -> PyResult<Vec<(&'static str, Vec<usize>)>> {
         let map = self.plane()?;
         py.detach(|| {
@@ -124,7 +124,7 @@ impl Map {
         })
     }
 
-    /// The outline of what some features cover together: polygons, each as its rings.
+    /// Returns the outline of the union of some features: polygons, each as its rings.
     fn contour(&self, numbers: Vec<usize>) -> PyResult<Polygons> {
         let map = self.plane()?;
         let mut faces = BTreeSet::new();
@@ -134,8 +134,8 @@ impl Map {
         of_faces(map, faces.into_iter().collect())
     }
 
-    /// The parts of the plane that the features of two maps make together, each with the features that cover it. A `cell` of 0
-    /// chooses the grid.
+    /// Returns the parts of the plane made by the features of two maps, each with the features that cover it. A `cell`
+    /// of 0 chooses the grid.
     fn overlay(&self, py: Python<'_>, other: &Self, cell: f64) -> PyResult<Vec<Piece>> {
         let (left, right) = (self.plane()?, other.plane()?);
         let counts = [left, right].map(|map| map.features().count());
@@ -159,7 +159,7 @@ impl Map {
         })
     }
 
-    /// The picture as SVG, with what breaks a rule in red.
+    /// Returns the picture as SVG, with broken rules in red.
     fn svg(&self, size: f64, detail: bool, window: Option<[f64; 4]>, whole: bool, list: usize) -> PyResult<String> {
         let map = &self.0.map;
         let window = window.map(|[x0, y0, x1, y1]| [Point::new(x0, y0), Point::new(x1, y1)]);

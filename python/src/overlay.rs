@@ -1,8 +1,8 @@
 //! Overlays of two layers: the pieces that their features cut each other into, of whole maps and tile by tile.
 //!
-//! In tiles, each piece comes from one of them, and whole. A feature begins in the tile that has the lower left corner of the box around it,
-//! and a piece in that of one of its features. A tile is given all that comes near the features that begin in it, so it knows what
-//! covers them, all over.
+//! Each piece comes from one tile, and whole. A feature begins in the tile that has the lower left corner of its box,
+//! and a piece in the tile of one of its features. A tile is given all features near the features that begin in it, so
+//! it knows everything that covers them.
 
 use crate::geometries::{Column, features, given};
 use crate::source::Failure;
@@ -19,17 +19,17 @@ use twinedge_geometry::noding::Snap;
 use twinedge_geometry::predicates::MIN_COORDINATE;
 use twinedge_map::{Builder, FeatureId, Noding, PlanarMap, Shape};
 
-/// The distance at which features are still given to a tile, as a part of the largest coordinate: 2^-44. Crossings are rounded to a grid, which
-/// moves edges by a cell or two of it; this is at least 32 cells.
+/// The distance within which features are given to a tile, as a part of the largest coordinate: 2^-44. Crossings are
+/// rounded to a grid, which moves edges by a cell or two of it; this is at least 32 cells.
 const NEAR: f64 = f64::from_bits((1023 - 44) << 52);
 
-/// The same for the smallest maps, on whose grid a cell is 2^-400.
+/// The distance for the smallest maps, on whose grid a cell is 2^-400.
 const NEAR_OF_TINY: f64 = 64.0 * MIN_COORDINATE;
 
 /// A tile, and the box around the features that begin in it.
 type Extent = (u64, [f64; 4]);
 
-/// The features that cover a face, by the layer that they are of.
+/// The features that cover a face, by layer.
 pub(crate) type Covered = [BTreeSet<usize>; 2];
 
 /// A piece: the numbers of the features that cover it in either layer, and its outline as well-known binary.
@@ -38,7 +38,8 @@ type TilePiece<'py> = (Vec<usize>, Vec<usize>, Bound<'py, PyBytes>);
 /// The numbers of the features of a layer, and their geometries.
 type Layer<'py> = (PyReadonlyArray1<'py, u32>, Vec<Column<'py>>);
 
-/// The faces of each piece, by the features that cover it. `owner` gives the layer of a feature and its number there.
+/// Returns the faces of each piece, by the features that cover it. `owner` returns the layer of a feature and its
+/// number there.
 pub(crate) fn pieces(
     map: &PlanarMap,
     owner: impl Fn(FeatureId) -> Option<(usize, usize)>,
@@ -56,7 +57,7 @@ pub(crate) fn pieces(
     found
 }
 
-/// The tiles in which geometries begin, and the boxes around these.
+/// Returns the tiles in which geometries begin, and the boxes around these.
 #[pyfunction]
 pub(crate) fn extents(py: Python<'_>, of: GridArguments, geometries: Column<'_>) -> PyResult<Vec<Extent>> {
     let columns = given(vec![geometries])?;
@@ -74,8 +75,8 @@ pub(crate) fn extents(py: Python<'_>, of: GridArguments, geometries: Column<'_>)
     Ok(found?)
 }
 
-/// The tiles that each geometry is to be given to: those with features that it comes near. Extents are in order of their tiles, and `largest` is
-/// the largest coordinate of all.
+/// Returns the tiles to give each geometry to: the tiles with features near it. Extents are in order of their tiles,
+/// and `largest` is the largest coordinate of all.
 #[pyfunction]
 pub(crate) fn tiles_near<'py>(
     py: Python<'py>,
@@ -108,8 +109,8 @@ pub(crate) fn tiles_near<'py>(
     Ok(assignment(py, found?))
 }
 
-/// The pieces that begin in a tile, of the features of either layer that were given to it. `keeps` says of which pieces: of those that both layers
-/// cover, and those that only one of them covers.
+/// Returns the pieces that begin in a tile, from the features of either layer that were given to it. `keeps` selects
+/// pieces that both layers cover, and pieces that only one of them covers.
 #[pyfunction]
 pub(crate) fn overlay_tile<'py>(
     py: Python<'py>,
@@ -142,7 +143,8 @@ pub(crate) fn overlay_tile<'py>(
                 owners.push((layer, number));
             }
         }
-        // The largest coordinate decides how finely all others are read: with it, as in the whole. Nothing lies beyond that corner.
+        // The largest coordinate determines the precision of all others: with it, as in the whole. Nothing lies beyond
+        // that corner.
         builder.shape(&Shape::Point(Point::new(largest, largest))).map_err(Failure::value)?;
         let map = builder.build_with(Noding::Snap(Snap::Auto)).map_err(Failure::value)?;
         let mut pieces = pieces(&map, |feature| owners.get(feature.index()).copied());
@@ -166,7 +168,7 @@ pub(crate) fn overlay_tile<'py>(
     Ok(found?.into_iter().map(|([left, right], outline)| (left, right, PyBytes::new(py, &outline))).collect())
 }
 
-/// True if boxes come so near each other.
+/// Returns true if boxes come this near each other.
 fn meets(one: [f64; 4], other: [f64; 4], by: f64) -> bool {
     [0, 1].iter().all(|axis| one[*axis] <= other[axis + 2] + by && other[*axis] <= one[axis + 2] + by)
 }

@@ -12,12 +12,12 @@ use twinedge_formats::layer::{Format, Layer, ReadError, read_layer};
 use twinedge_geometry::noding::Snap;
 use twinedge_report::{Error, Input, Judged};
 
-/// The reason why there is no answer.
+/// The reason for a missing answer.
 #[derive(Debug)]
 pub(crate) enum Failure {
     /// A file could not be read.
     Os(String),
-    /// It has the wrong content, or an argument is wrong.
+    /// Its content is invalid, or an argument is.
     Value(String),
 }
 
@@ -55,22 +55,22 @@ pub(crate) struct Source {
     /// The extension of files of its format.
     format: Option<String>,
     layer: Option<String>,
-    /// The features that are left out, in order, as a coordinate is not finite.
+    /// The features that are left out because a coordinate is not finite, in order.
     not_finite: Vec<usize>,
 }
 
 impl Source {
-    /// True if it is in memory, where a layer without anything is one.
+    /// True if it is in memory, where an empty layer is still a layer.
     pub(crate) const fn is_in_memory(&self) -> bool {
         self.text.is_some()
     }
 
-    /// The name by which messages call the layer.
+    /// Returns the name of the layer in messages.
     pub(crate) fn name(&self) -> &str {
         &self.name
     }
 
-    /// Opens it, once its bytes are counted.
+    /// Opens the input, after counting its bytes.
     pub(crate) fn open(self) -> Result<(Input, Option<Judged>), Failure> {
         let format = match &self.format {
             None => None,
@@ -99,7 +99,6 @@ impl Source {
         Ok((Input { format, layer, not_finite, ..input }, Some(judged)))
     }
 
-    /// Reads all of it.
     pub(crate) fn read(self) -> Result<Layer, Failure> {
         let (mut input, _) = self.open()?;
         let options = input.options();
@@ -108,7 +107,7 @@ impl Source {
     }
 }
 
-/// A grid: none, a size of cells, or 0 for one that is to be chosen.
+/// A grid: none, a size of cells, or 0 to choose one.
 pub(crate) fn snap(size: Option<f64>) -> Option<Snap> {
     size.map(|size| if size > 0.0 { Snap::Size(size) } else { Snap::Auto })
 }

@@ -11,10 +11,11 @@ use twinedge::validate::{Collect, Expectation, Link, Report, View, Violation};
 use twinedge::{delegate_view, validate as rules};
 use twinedge_columns::{Columns, OnView};
 
-/// The number of half-edges walked from one look at signals to the next.
+/// The number of half-edges to walk between two checks for signals.
 const BETWEEN_SIGNALS: u32 = 1 << 18;
 
-/// A view that ends a validation when the interpreter has a signal that raises, as Ctrl-C has: from then on all cycles end.
+/// A view that ends a validation when the interpreter has a pending signal that raises, such as Ctrl-C: all cycles then
+/// end.
 struct Interruptible<V> {
     view: V,
     walked: Cell<u32>,
@@ -57,11 +58,11 @@ impl<V: View> View for Interruptible<V> {
     }
 }
 
-/// The names of the columns of half-edges, and of those of vertices and faces.
+/// The names of the columns of half-edges, and of vertices and faces.
 const NAMES: [&str; 8] = ["origin", "target", "twin", "next", "prev", "face", "leaving", "face_half_edge"];
 
-/// Validates a structure whose links are arrays: `columns` has an array or none for each name, all of one type. Types without a sign are
-/// seen as those with one, so that the validator is compiled for two.
+/// Validates a structure whose links are arrays: `columns` has an array or none for each name, all of one type.
+/// Unsigned types are read as signed ones, so that the validator is compiled for two types.
 #[pyfunction]
 pub(crate) fn validate(
     py: Python<'_>,
@@ -109,7 +110,7 @@ fn of_type<T: Atomic>(
     })
 }
 
-/// The report of the structure, or what was raised.
+/// Returns the report of the structure, or the raised exception.
 fn judge<T: Atomic>(
     cells: &[Option<Cells<'_, T>>],
     vertices: Option<usize>,
@@ -125,7 +126,7 @@ fn judge<T: Atomic>(
     let ((Some(ends), None) | (None, Some(ends))) = (origin, target) else {
         return Err(PyTypeError::new_err("give either origin or target"));
     };
-    // A link beyond dangles, and must not make as many records.
+    // A link beyond the end dangles, and must not raise the number of records.
     let slots = |column: twinedge_columns::Column<'_, T::As>| column.slots().min(next.len());
     let vertices = vertices.or_else(|| leaving.map(|l| l.len())).unwrap_or_else(|| slots(ends));
     let mut columns = Columns::paired(vertices, ends, next).map_err(|error| {
@@ -172,7 +173,7 @@ impl OnView for Run {
     }
 }
 
-/// The usual cause and the remedy of a violation, as an object with its `kind` and `fields`.
+/// Returns the usual cause and the remedy of a violation, as an object with its `kind` and `fields`.
 #[pyfunction]
 pub(crate) fn explain(violation: &str) -> PyResult<(&'static str, &'static str)> {
     let violation: Violation =

@@ -18,7 +18,7 @@ pub(crate) type GridArguments = ([f64; 4], u32, u32);
 /// The positions of geometries, and the tile of each.
 pub(crate) type Assignment<'py> = (Bound<'py, PyArray1<u64>>, Bound<'py, PyArray1<u64>>);
 
-/// A sum of summaries, and that of those with edges cut.
+/// The sum of some summaries, and the sum of the summaries with edges cut.
 type Sums<'py> = (Option<Bound<'py, PyBytes>>, Option<Bound<'py, PyBytes>>);
 
 pub(crate) fn grid(([x0, y0, x1, y1], columns, rows): GridArguments) -> Result<Grid, Failure> {
@@ -54,7 +54,7 @@ fn refused(error: TileError) -> Failure {
     }
 }
 
-/// The tiles that each geometry is to be given to.
+/// Returns the tiles to give each geometry to.
 #[pyfunction]
 pub(crate) fn tiles_of<'py>(
     py: Python<'py>,
@@ -86,7 +86,7 @@ pub(crate) fn assignment(py: Python<'_>, (places, tiles): (Vec<u64>, Vec<u64>)) 
     (places.into_pyarray(py), tiles.into_pyarray(py))
 }
 
-/// The box around geometries; none, if they have no points.
+/// Returns the box around geometries; `None` if they have no points.
 #[pyfunction]
 pub(crate) fn bounds(py: Python<'_>, geometries: Column<'_>) -> PyResult<Option<[f64; 4]>> {
     let columns = given(vec![geometries])?;
@@ -94,7 +94,7 @@ pub(crate) fn bounds(py: Python<'_>, geometries: Column<'_>) -> PyResult<Option<
     Ok(found?)
 }
 
-/// The box around a feature; none, if it has no points.
+/// Returns the box around a feature; `None` if it has no points.
 pub(crate) fn bounds_of(feature: &Feature) -> Option<[f64; 4]> {
     let of_points = |points: &[Point]| points.iter().map(|p| [p.x, p.y, p.x, p.y]).reduce(joined);
     let of_shape = |shape: &Shape| match shape {
@@ -105,19 +105,18 @@ pub(crate) fn bounds_of(feature: &Feature) -> Option<[f64; 4]> {
     feature.shapes.iter().filter_map(of_shape).reduce(joined)
 }
 
-/// The box around two others.
 pub(crate) fn joined(one: [f64; 4], other: [f64; 4]) -> [f64; 4] {
     [one[0].min(other[0]), one[1].min(other[1]), one[2].max(other[2]), one[3].max(other[3])]
 }
 
-/// No cuts yet, of a map whose coordinates are at most so large.
+/// Returns no cuts yet, of a map whose coordinates are at most `largest`.
 #[pyfunction]
 pub(crate) fn no_cuts(py: Python<'_>, largest: f64) -> PyResult<Bound<'_, PyBytes>> {
     let cuts = Cuts::new(largest).map_err(Failure::value)?;
     Ok(PyBytes::new(py, &serde_json::to_vec(&cuts).map_err(Failure::value)?))
 }
 
-/// The tiles that have something to find in this round; none, if all cuts are found.
+/// Returns the tiles that must search in this round; `None` if all cuts are found.
 #[pyfunction]
 pub(crate) fn tiles_to_search(py: Python<'_>, cut: PyBackedBytes, of: GridArguments) -> PyResult<Vec<u64>> {
     let found = py.detach(|| {
@@ -128,7 +127,7 @@ pub(crate) fn tiles_to_search(py: Python<'_>, cut: PyBackedBytes, of: GridArgume
     Ok(found?)
 }
 
-/// The cuts that a tile finds in this round, from the features that come near it.
+/// Returns the cuts that a tile finds in this round, from the features near it.
 #[pyfunction]
 pub(crate) fn search<'py>(
     py: Python<'py>,
@@ -147,7 +146,7 @@ pub(crate) fn search<'py>(
     Ok(PyBytes::new(py, &bytes?))
 }
 
-/// The cuts after a round in which tiles found these.
+/// Returns the cuts after a round in which tiles found these.
 #[pyfunction]
 pub(crate) fn take(py: Python<'_>, cut: PyBackedBytes, found: Vec<PyBackedBytes>) -> PyResult<Bound<'_, PyBytes>> {
     let bytes = py.detach(|| {
@@ -162,7 +161,8 @@ pub(crate) fn take(py: Python<'_>, cut: PyBackedBytes, found: Vec<PyBackedBytes>
     Ok(PyBytes::new(py, &bytes?))
 }
 
-/// The summary of a tile, from the features that meet it, each with its number in the map; and with edges cut, if all cuts are known.
+/// Returns the summary of a tile, from the features that meet it, each with its number in the map; and with edges cut,
+/// if all cuts are known.
 #[pyfunction]
 pub(crate) fn summarise<'py>(
     py: Python<'py>,
@@ -188,7 +188,7 @@ pub(crate) fn summarise<'py>(
         }
         let summary = bytes(Summary::new(&grid, tile, given(), &limits))?;
         let cut = match cuts {
-            // The map with its edges cut is then the map.
+            // Without cuts, the map with its edges cut is the map itself.
             Some(cuts) if cuts.is_empty() => Some(summary.clone()),
             Some(cuts) => Some(bytes(Summary::cut(&grid, tile, given(), &limits, &cuts))?),
             None => None,
@@ -207,7 +207,7 @@ fn sum(summaries: &[PyBackedBytes]) -> Result<Option<Summary>, Failure> {
     Ok(merged(all)?)
 }
 
-/// The sum of summaries, and that of those with edges cut; either all have these, or none.
+/// Returns the sum of some summaries, and the sum of the summaries with edges cut; either all have these, or none.
 fn sums(summaries: &[PyBackedBytes], cuts: &[PyBackedBytes]) -> Result<(Option<Summary>, Option<Summary>), Failure> {
     let (whole, cut) = (sum(summaries)?, sum(cuts)?);
     if let (Some(whole), Some(cut)) = (&whole, &cut) {
@@ -216,7 +216,7 @@ fn sums(summaries: &[PyBackedBytes], cuts: &[PyBackedBytes]) -> Result<(Option<S
     Ok((whole, cut))
 }
 
-/// One summary of several, and one of those with edges cut; none, if there is none.
+/// Merges several summaries, and several with edges cut; `None` if there are none.
 #[pyfunction]
 pub(crate) fn merge(py: Python<'_>, summaries: Vec<PyBackedBytes>, cuts: Vec<PyBackedBytes>) -> PyResult<Sums<'_>> {
     let bytes = py.detach(|| {
@@ -228,7 +228,7 @@ pub(crate) fn merge(py: Python<'_>, summaries: Vec<PyBackedBytes>, cuts: Vec<PyB
     Ok((whole.map(|bytes| PyBytes::new(py, &bytes)), cut.map(|bytes| PyBytes::new(py, &bytes))))
 }
 
-/// The tiles of a summary.
+/// Returns the tiles of a summary.
 #[pyfunction]
 pub(crate) fn tiles_in(summary: &[u8]) -> PyResult<Vec<u64>> {
     let summary: Summary = serde_json::from_slice(summary).map_err(Failure::value)?;
@@ -236,7 +236,7 @@ pub(crate) fn tiles_in(summary: &[u8]) -> PyResult<Vec<u64>> {
     Ok(summary.tiles().iter().map(|tile| number(grid, *tile)).collect())
 }
 
-/// The report that the summaries of all tiles make, and those of the same tiles with edges cut, if there are any.
+/// Returns the report from the summaries of all tiles, and from the summaries with edges cut, if any.
 #[pyfunction]
 pub(crate) fn finish(
     py: Python<'_>,

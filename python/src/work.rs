@@ -1,17 +1,18 @@
-//! Work that Ctrl-C and time end.
+//! Work that Ctrl-C or a time limit ends.
 
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::{Duration, Instant};
 
-/// The stack of the work, which reads what may be nested deeply, as that of the main thread.
+/// The stack of the working thread, which reads deeply nested input: as large as the main thread's.
 const STACK: usize = 8 << 20;
 
-/// The time from one look at signals to the next.
+/// The time between two checks for signals.
 const BETWEEN_SIGNALS: Duration = Duration::from_millis(50);
 
-/// Does the work on a thread of its own, without the interpreter lock. None, if it takes more seconds than it may. What is then still done is dropped when it ends.
+/// Does the work on a thread of its own, without the interpreter lock. Returns `None` if it takes more than the given
+/// seconds; the thread then drops the result when it ends.
 pub(crate) fn within<T: Send + 'static>(
     py: Python<'_>,
     seconds: Option<f64>,
@@ -19,7 +20,7 @@ pub(crate) fn within<T: Send + 'static>(
 ) -> PyResult<Option<T>> {
     let (send, mut receive) = channel();
     let body = move || {
-        // Nobody receives it when time is up.
+        // Nobody receives the result when time is up.
         let _ = send.send(work());
     };
     let end = seconds.and_then(|s| Instant::now().checked_add(Duration::try_from_secs_f64(s).ok()?));

@@ -102,7 +102,7 @@ def test_faces_that_are_none_are_refused():
 
 
 def test_coordinates_are_not_rounded():
-    # The corner of the second lies beside the border of the first by one unit in the last place.
+    # The corner of the second lies next to the border of the first, by one unit in the last place.
     x = np.nextafter(1.0, 2.0)
     report = twinedge.audit([shapely.box(0, 0, 1, 1), shapely.box(x, 0, 2, 1)])
     assert report.counts["components"] == 2

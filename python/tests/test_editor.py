@@ -157,7 +157,7 @@ def test_ids_last():
     assert city.find("parcel", 11) == made and city.find("parcel", 99) is None
     city.undo()
     assert city.find("parcel", 11) is None
-    # No number is given twice.
+    # No number is assigned twice.
     city.insert_segment((2, 0), (2, 4))
     assert sorted(city.values("parcel").values()) == [10, 12]
 

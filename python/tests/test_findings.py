@@ -66,7 +66,7 @@ def test_networkx_check_structure_hangs_on_a_wrong_cw():
     embedding = _tetrahedron()
     assert embedding[0][2]["cw"] == 1
     embedding[0][2]["cw"] = 2
-    # Going clockwise around vertex 0 it never comes back to the first neighbour.
+    # Clockwise around vertex 0, the walk never comes back to the first neighbour.
     assert _check_structure(embedding, 1) == "hangs"
     report = adapters.networkx(embedding)
     assert not report.valid and report.broken_rules[0] == "L2"
@@ -135,7 +135,7 @@ def test_networkx_check_structure_on_a_wrong_neighbour_of_each_half_edge_of_a_ma
         for links in around.values():
             for attribute, counter in found.items():
                 right = dict.__getitem__(links, attribute)
-                # The neighbour after the right one. There is another one unless this is the only one.
+                # The neighbour after the correct one. There is another one unless this is the only one.
                 wrong = dict.__getitem__(around[right], attribute)
                 if wrong == right:
                     continue
@@ -154,7 +154,7 @@ def test_compas_collapse_edge_leaves_half_edges_of_the_vertex_that_went():
     mesh = Mesh.from_vertices_and_faces([[0, 0, 0], [10, 0, 0], [10, 10, 0], [0, 5, 0], [0, 10, 0]], [[0, 1, 2], [0, 2, 3, 4]])
     assert adapters.compas(mesh, borders=1).valid
     mesh.collapse_edge((3, 4), allow_boundary=True)
-    # Vertex 4 is gone, and half-edge 0 to 4 is not.
+    # Vertex 4 is removed, but half-edge 0 to 4 is not.
     assert 4 not in mesh.vertex and 4 in mesh.halfedge[0]
     report = adapters.compas(mesh)
     assert report.broken_rules[0] == "R1"
@@ -177,7 +177,7 @@ def test_trimesh_calls_two_bodies_that_touch_in_a_vertex_one_volume():
     faces = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3], [0, 4, 5], [0, 6, 4], [4, 6, 5], [5, 6, 0]]
     mesh = trimesh.Trimesh(corners, faces, process=False)
     assert mesh.is_watertight and mesh.is_winding_consistent and mesh.is_volume
-    # 7 − 12 + 8: that of no closed surface.
+    # 7 − 12 + 8: the count of no closed surface.
     assert mesh.euler_number == 3
     report = adapters.trimesh(mesh, closed=True)
     assert not report.valid and report.broken_rules[0] == "V2"
@@ -187,7 +187,7 @@ def test_trimesh_calls_two_bodies_that_touch_in_a_vertex_one_volume():
 def test_geos_calls_a_map_that_crosses_itself_a_valid_coverage():
     square = shapely.box(0, 0, 4, 4)
     bow_tie = shapely.Polygon([(4, 0), (8, 4), (8, 0), (4, 4)])
-    # The bow-tie crosses itself. It overlaps no other polygon, and whether each is to be valid is not documented.
+    # The bow-tie crosses itself. It overlaps no other polygon, and the documentation does not require each to be valid.
     assert shapely.coverage_is_valid([square, bow_tie]) and not bow_tie.is_valid
     report = adapters.shapely([square, bow_tie])
     assert not report.valid and report.broken_rules[-1] == "G4"

@@ -29,7 +29,7 @@ def report():
 def test_a_verdict_has_three_values(report):
     assert (report.verdict, report.valid) == ("invalid", False)
     assert twinedge.audit(FRAME.iloc[:6], coverage=True).verdict == "valid"
-    # A feature with a coordinate that is not finite was left out: the rest is right, and not everything was looked at.
+    # A feature with a non-finite coordinate was left out: the rest is valid, but not everything was checked.
     layer = [shapely.box(0, 0, 1, 1), shapely.Point(float("inf"), 0)]
     left_out = twinedge.audit(layer)
     assert (left_out.verdict, left_out.valid, left_out.first) == ("unknown", False, None)
@@ -53,7 +53,7 @@ def test_the_first_and_the_bytes_that_were_judged_are_named(report, tmp_path):
     path.write_text(FRAME.to_json())
     judged = twinedge.audit(path, coverage=True).judged
     assert judged == (hashlib.sha256(path.read_bytes()).hexdigest(), path.stat().st_size)
-    # In memory: the geometries, however they came.
+    # In memory: the geometries, from any source.
     assert twinedge.audit(FRAME).judged == report.judged != twinedge.audit(FRAME.iloc[:9]).judged
 
 
@@ -139,7 +139,7 @@ def test_an_expectation_is_a_gate(report):
     found = json.loads(json.dumps(outcome.to_dict()))
     assert found["success"] is False and found["result"]["element_count"] == 27 and found["result"]["unexpected_count"] == 4
     assert "C2: gap of p8, p9, p14, p15, " in "\n".join(found["result"]["partial_unexpected_list"])
-    # A verdict that is not known is no success.
+    # An unknown verdict is no success.
     assert not twinedge.expect(ROOT / "tests" / "data" / "world-50m.geojson", coverage=False, timeout=0, raises=False)
     assert twinedge.expect(FRAME.iloc[[10, 24]], coverage=False)
 
@@ -163,7 +163,7 @@ def test_the_report_is_that_of_the_program_and_of_its_form(report):
     assert {"verdict", "first", "judged", "version", "options", "coverage", "import"} <= {*document}
     assert document["options"] == {"allow_empty": True, "coverage": True}
     assert [violation.id for violation in report.violations] == [entry["id"] for entry in document["violations"]]
-    # Features of violations are positions, and so they are in the JSON form.
+    # Features of violations are positions, also in the JSON form.
     crossing = twinedge.audit([shapely.box(0, 0, 1, 1), shapely.box(0.5, 0, 1.5, 1)])
     assert {v.features for v in crossing.violations if v.rule == "G4"} == {(0, 1)}
     assert twinedge.Report(crossing.to_json()).violations == crossing.violations

@@ -29,7 +29,7 @@ def test_neighbours_share_borders():
     found = twinedge.Map(ROW).neighbours()
     assert [(one.feature, one.other, one.length, one.shared, one.lines, one.overlap) for one in found] == [(0, 1, 1, 1, 1, 0), (1, 2, 1, 1, 1, 0)]
     assert [one.other for one in twinedge.Map(ROW).neighbours(1)] == [0, 2] and not twinedge.Map(ROW).neighbours(3)
-    # GEOS measures the same.
+    # GEOS measures the same values.
     world = geopandas.read_file(PARCELS)
     for one in twinedge.Map(world).neighbours():
         shared = world.geometry.iloc[one.feature].intersection(world.geometry.iloc[one.other]).length
@@ -119,7 +119,7 @@ def test_a_layer_is_cleaned_and_the_rest_is_the_same_object():
     assert mended.geometry.iloc[2] is OVERLAPPING.geometry.iloc[2] and mended.geometry.iloc[3] is None
     # Heights are kept.
     assert mended.geometry.iloc[0].has_z and shapely.get_coordinates(mended.geometry.iloc[0], include_z=True)[0, 2] == 5
-    # Who gets it is a choice.
+    # The receiving feature is a choice.
     areas = {overlap: twinedge.clean(OVERLAPPING, overlap=overlap).layer.area.iloc[:2].tolist() for overlap in ("first", "last")}
     assert areas["first"] == pytest.approx([2, 2]) and areas["last"] == pytest.approx([1.8, 2.2])
     with pytest.raises(ValueError, match="overlap: .best. is none of inner, larger"):

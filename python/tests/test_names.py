@@ -24,7 +24,7 @@ def test_features_have_the_labels_of_the_frame():
     frame = geopandas.GeoDataFrame({"name": ["a", "b"], "code": [1.5, 2.5]}, geometry=BOXES, index=["p", "q"])
     assert labels(twinedge.audit(frame)) == labels(twinedge.adapters.geopandas(frame.geometry)) == {("p", "q")}
     assert labels(twinedge.audit(frame, name="code")) == {(1.5, 2.5)}
-    # An index of positions says nothing: the column does, if it is there.
+    # An index of positions says nothing: the column does, if it exists.
     plain = frame.reset_index(drop=True)
     assert labels(twinedge.audit(plain)) == {("a", "b")} and labels(twinedge.audit(plain[["code", "geometry"]])) == {()}
     assert labels(twinedge.audit(BOXES)) == {()}
@@ -59,10 +59,10 @@ def test_nodes_are_named():
     del embedding["a"]["b"]["ccw"]
     report = twinedge.adapters.networkx(embedding)
     violation = report.violations[0]
-    # The next of (b, a) is what the ccw of (a, b) says.
+    # The next of (b, a) comes from the ccw of (a, b).
     assert violation.names == (("b", "a"),) and "is ('b', 'a')" in str(violation)
     assert report.to_frame()["names"][0] == (("b", "a"),)
-    # A record that does not exist has no name; neither have those of arrays.
+    # A record that does not exist has no name; neither do records of arrays.
     assert report.name(twinedge.Record("half_edge", 99)) == 99 and report.name(twinedge.Record("face", 0)) == 0
     again = pickle.loads(pickle.dumps(report))
     assert again == report and again.violations[0].names == violation.names

@@ -63,7 +63,7 @@ def test_the_table_of_presets_is_what_they_ask_for():
         checked = [rule.id for rule in report.rules if rule.unchecked is None]
         told = "R1 L1 L2 L3 V1 V2 B1 F1 F2 T3".split() + re.findall(r"[A-Z]\d", besides) + ["T4"] * (surface == "plane")
         assert report.valid and sorted(checked) == sorted(told), preset
-        # Every column is looked at.
+        # Every column is checked.
         for name in [*pillow]:
             wrong = pillow | {name: [99] * len(pillow[name])}
             assert twinedge.validate(**wrong, preset=preset).broken_rules[0] == "R1", (preset, name)

@@ -40,7 +40,7 @@ def test_no_kind_speaks_of_rust():
     assert {*REMEDIES} <= {*found}
     for kind, (cause, remedy) in found.items():
         assert not OF_RUST.search(cause), kind
-        # The table has what it must, and nothing else.
+        # The table covers exactly the remedies that mention Rust.
         assert bool(OF_RUST.search(remedy)) == (kind in REMEDIES), kind
     for kind, remedy in REMEDIES.items():
         assert not OF_RUST.search(remedy) and not remedy.endswith("."), kind
@@ -50,7 +50,7 @@ def test_no_kind_speaks_of_rust():
 def test_a_violation_has_the_remedy_of_the_table():
     violation = twinedge.audit([shapely.box(0, 0, 2, 2), shapely.box(1, 1, 3, 3)]).violations[-1]
     assert violation.kind == "cross" and violation.remedy == REMEDIES["cross"] and "snap=" in violation.remedy
-    # And the remedy mends it.
+    # And the remedy fixes it.
     assert twinedge.audit([shapely.box(0, 0, 2, 2), shapely.box(1, 1, 3, 3)], snap="auto").valid
     loop = twinedge.validate(origin=[0, 1], twin=[0, 1], next=[0, 1]).violations
     assert "open=True" in loop[0].remedy

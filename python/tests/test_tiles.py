@@ -16,7 +16,7 @@ import twinedge
 from twinedge import _columns, tiles
 
 LAYER = parcels()
-#: Lines of it run through faults, along borders and beside them.
+#: Lines of it run through faults, along borders and next to them.
 GRID = tiles.Grid((0, 0, 12, 8), 3, 2)
 LIMITS = {"gap_width": 0.6, "lake_width": 2.0, "sliver_area": 0.01}
 
@@ -44,7 +44,7 @@ def test_plain_loops_say_what_the_audit_of_the_whole_says(whole, features):
     assert len(parts) == len(GRID) == 6
     report = tiles.finish(parts, coverage=True)
     assert told(report) == told(whole) and report.first.rule == whole.first.rule
-    # Whatever the order, and merged in whatever way, down to the bytes.
+    # In any order, and merged in any way, down to the bytes.
     merged = tiles.merge(parts)
     for seed in range(5):
         shuffled = random.Random(seed).sample(parts, len(parts))
@@ -373,7 +373,7 @@ def test_a_table_says_that_it_is_geoarrow_and_names_the_reference_system():
     metadata = tiles.table(frame).schema.field("geometry").metadata
     assert metadata[b"ARROW:extension:name"] == b"geoarrow.wkb"
     assert json.loads(metadata[b"ARROW:extension:metadata"])["crs"]["id"] == {"authority": "EPSG", "code": 2056}
-    # As geopandas makes it.
+    # In the form that geopandas makes.
     for encoding in ("WKB", "geoarrow"):
         table = pa.table(frame.to_arrow(geometry_encoding=encoding, index=False)).append_column("feature", pa.array(range(len(LAYER)), pa.uint32()))
         assert tiles.audit_tile(table, GRID, 1, **LIMITS) == tiles.audit_tile(tiles.table(frame), GRID, 1, **LIMITS)
@@ -410,7 +410,7 @@ def test_rows_that_do_not_fit_into_one_batch_are_several(features, monkeypatch):
         table = table.append_column("text", texts).append_column("key", keys)
         table = table.append_column("pairs", pa.array([[("k", number)] for number in range(len(LAYER))], pa.map_(pa.string(), pa.int32())))
         (whole,) = tiles.assign(table.slice(3), GRID)
-        # As if offsets reached no farther than some features, and than no feature.
+        # As if offsets reached no farther than some features, or than no feature.
         for most in (2000, 1):
             monkeypatch.setattr(_columns, "_MOST", most)
             parts = [*tiles.assign(table.slice(3), GRID)]

@@ -133,7 +133,7 @@ def test_tiles_round_as_the_whole_does_however_small_their_coordinates_are():
 
 @pytest.mark.parametrize("unit", [1.0, 2.0**-370])
 def test_what_is_nearer_than_a_cell_belongs_to_the_tile(unit):
-    # The triangle is a quarter of a cell beside the square, whose side gets a vertex where its corner is.
+    # The triangle lies a quarter of a cell from the square, whose side gets a vertex at its corner.
     beside = 2 * unit + max(2.0**-40 * unit, 2.0**-400) / 4
     left = [shapely.box(unit, 0, 2 * unit, 2 * unit), shapely.box(900 * unit, 900 * unit, 1024 * unit, 1024 * unit)]
     right = [shapely.Polygon([(beside, unit), (3 * unit, 0), (3 * unit, 2 * unit)])]

@@ -108,7 +108,7 @@ def test_strides_of_all_kinds_are_read(triangle):
     for column in read_only.values():
         column.flags.writeable = False
     assert twinedge.validate(**read_only, plane=True).valid
-    # The same element again and again: a loop whose only half-edge is its own twin.
+    # One element repeated: a loop whose only half-edge is its own twin.
     same = np.broadcast_to(np.zeros(1, np.int64), 4)
     assert "twin_is_self" in {v.kind for v in twinedge.validate(origin=same, twin=same, next=same).violations}
 
@@ -235,7 +235,8 @@ def test_types_without_a_sign_are_seen_with_one_where_that_bit_is_not_needed(tri
         seen = _columns(links, None, 3)
         assert {array.dtype for array in seen.values()} == {np.dtype(signed)}
         assert all(np.shares_memory(seen[name], links[name]) for name in links)
-        # As many as 2 to the power of 31 have no room beside the sign, and are copied to 64 bits.
+        # More than 2 to the power of 31 records leave no room for the sign, so arrays are copied
+        # to 64 bits.
         many = _columns(links, 2**31 + 1)
         assert {array.dtype for array in many.values()} == {np.dtype("i8")} and not np.shares_memory(many["next"], links["next"])
         links["twin"][0] = 2**31

@@ -1,8 +1,9 @@
 //! The part of Kani's library that the harnesses use, with its signatures, to run them where there is no Kani.
 //!
-//! A model checker takes all values at once. Here [`check`] runs a harness over one value after the other: [`any`] counts up from
-//! 0, and the first value that [`assume`] leaves out is one too many. This is every value, as long as each is bounded from above by
-//! an assumption that follows at once. A [`cover!`] that no run fulfils fails, where Kani would say that it is unsatisfiable.
+//! A model checker takes all values at once. Here [`check`] runs a harness over one value after the other: [`any`]
+//! counts up from 0, and the first value that [`assume`] rejects is one too many. This covers every value if an
+//! assumption bounds it from above right after the call. A [`cover!`] that no run fulfils fails, where Kani would
+//! report it as unsatisfiable.
 //!
 //! Under `cargo kani` the real library takes this one's place; see `proofs/README.md`.
 
@@ -11,7 +12,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 
 pub use kani_macros::{proof, unwind};
 
-/// The choices of a run, and which of the conditions have been met in some run.
+/// The choices of a run, and the conditions that some run has met.
 #[derive(Debug, Default)]
 struct Runs {
     values: Vec<usize>,
@@ -23,12 +24,12 @@ thread_local! {
     static RUNS: RefCell<Runs> = RefCell::default();
 }
 
-/// The payload that ends a run whose last value is one too many.
+/// The payload of the panic that ends a run whose last value is one too many.
 struct TooLarge;
 
-/// Types of which Kani can make up any value.
+/// Types whose values Kani can make up.
 pub trait Arbitrary: Sized {
-    /// Any value at all.
+    /// Returns any value.
     fn any() -> Self;
 }
 
@@ -44,20 +45,20 @@ impl Arbitrary for usize {
     }
 }
 
-/// Any value at all.
+/// Returns any value.
 #[must_use]
 pub fn any<T: Arbitrary>() -> T {
     T::any()
 }
 
-/// Leaves out what does not fulfil the condition: the last value made up, and all larger ones.
+/// Rejects values that do not fulfil the condition: the last value made up, and all larger ones.
 pub fn assume(condition: bool) {
     if !condition {
         resume_unwind(Box::new(TooLarge));
     }
 }
 
-/// Notes whether the condition can be fulfilled.
+/// Records whether the condition can be fulfilled.
 pub fn cover(condition: bool, message: &'static str) {
     RUNS.with_borrow_mut(|runs| match runs.covers.iter_mut().find(|(known, _)| *known == message) {
         Some((_, met)) => *met |= condition,
@@ -65,7 +66,7 @@ pub fn cover(condition: bool, message: &'static str) {
     });
 }
 
-/// Asks for a run that fulfils the condition.
+/// Requires a run that fulfils the condition.
 #[macro_export]
 macro_rules! cover {
     ($condition:expr, $message:literal) => {
@@ -76,7 +77,7 @@ macro_rules! cover {
 /// Runs a harness over all values.
 ///
 /// # Panics
-/// If the harness does, or a condition that is to be covered never is.
+/// If the harness does, or if a condition to cover is never met.
 pub fn check(name: &str, harness: fn()) {
     RUNS.take();
     loop {

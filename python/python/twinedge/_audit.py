@@ -126,7 +126,7 @@ def audit_faces(
     return Report._told(_twinedge.audit_faces(count, corners, offsets, asked), {"half_edge": Sides(offsets)})
 
 
-#: The text of a geometry with a coordinate that is NaN or infinite, of which JSON has none.
+#: The text of a geometry with a NaN or infinite coordinate, which JSON cannot hold.
 _NOT_FINITE = "NaN"
 
 
@@ -180,7 +180,7 @@ def _by_shapely(geometries: npt.NDArray[Any]) -> list[str] | None:
     shapely = sys.modules.get("shapely")
     if shapely is None or not all(one is None or isinstance(one, shapely.Geometry) for one in geometries):
         return None
-    # GEOS writes an empty ring as no JSON reader expects it.
+    # GEOS writes an empty ring in a form that no JSON reader expects.
     geometries[shapely.is_empty(geometries)] = None
     geometries = shapely.force_2d(geometries)
     coordinates, owners = shapely.get_coordinates(geometries, return_index=True)
@@ -430,7 +430,7 @@ def _faces_of(mesh: Any) -> tuple[Any, int] | None:
     # Of pyvista: a PolyData keeps the number of corners before the corners of each face.
     if hasattr(mesh, "irregular_faces") and hasattr(mesh, "n_points"):
         return [*mesh.irregular_faces], mesh.n_points
-    # Of meshio: blocks of cells of one type each, of which those of dimension 2 are faces.
+    # Of meshio: blocks of cells of one type each; blocks of dimension 2 are faces.
     if isinstance(getattr(mesh, "cells", None), list) and hasattr(mesh, "points") and hasattr(mesh, "cells_dict"):
         blocks = [block for block in mesh.cells if block.dim == 2]
         faces = [face for block in blocks for face in np.asarray(block.data)[:, : _corner_count(block.type)].tolist()]

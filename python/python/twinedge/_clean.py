@@ -103,7 +103,7 @@ def clean(
     receiving, attributes = _receiving(layer, gaps_to, len(geometries))
     source = _input("layer", text=_digits(geometries), format="wkb")
     is_auto = isinstance(gap_width, str) and gap_width == "auto"
-    # Another text is refused as any other thing that is no number.
+    # Any other text is refused like any value that is no number.
     width = cast("float | None", None if is_auto else gap_width)
     limits = _limits(width, lake_width, accept_gaps, sliver_area)
     text, changed = _twinedge.clean(source, limits, _cell(snap), overlap, is_auto, receiving)

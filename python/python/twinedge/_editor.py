@@ -20,7 +20,7 @@ class Edited(NamedTuple):
 
     #: The vertices at the points that were given, in their order, whether made or there before.
     vertices: list[int]
-    #: The half-edges along what was drawn, from its first point to its last.
+    #: The half-edges along the drawn line, from its first point to its last.
     way: list[int]
     vertices_made: list[int]
     vertices_dropped: list[int]
@@ -30,7 +30,7 @@ class Edited(NamedTuple):
     edges_dropped: list[int]
     #: The face that was split, which is one part now, and the other part.
     faces_split: list[tuple[int, int]]
-    #: The face that was kept, and the one that was dropped.
+    #: The kept face, and the dropped face.
     faces_merged: list[tuple[int, int]]
 
 

@@ -49,6 +49,6 @@ class Sides:
         return int(self._offsets[-1])
 
     def __getitem__(self, index: int) -> Side:
-        # The last face that begins there: those before it have no corners.
+        # The last face that begins there: earlier ones have no corners.
         face = int(np.searchsorted(self._offsets, index, side="right")) - 1
         return Side(face, index - int(self._offsets[face]))

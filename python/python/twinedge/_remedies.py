@@ -24,7 +24,7 @@ REMEDIES: Final[dict[str, str]] = {
 }
 """The remedy of each of these kinds, as part of a sentence."""
 
-#: Cause and remedy of what is wrong with edges along great circles.
+#: Cause and remedy of the faults of edges along great circles.
 ON_GLOBE: Final[dict[str, tuple[str, str]]] = {
     "antipodal": ("an edge goes around half of the globe", "add a vertex between its ends"),
     **dict.fromkeys(

@@ -331,7 +331,7 @@ class Report:
         self._names: dict[str, Names] = dict(names or {})
         self._layer: _Layer | None = None
         self._acceptable: str | None = None
-        # Makes a picture of the layer. It is not kept when a report is pickled.
+        # Draws the layer; dropped when a report is pickled.
         self._picture: Callable[[], str] | None = None
 
     @classmethod

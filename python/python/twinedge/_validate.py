@@ -74,7 +74,7 @@ def _signed(array: npt.NDArray[Any]) -> npt.NDArray[Any]:
 def _columns(given: dict[str, Any], *counts: int | None) -> dict[str, npt.NDArray[Any]]:
     """The arrays that are given, all of one type with a sign that is read in place."""
     arrays = {name: _links(name, value) for name, value in given.items() if value is not None}
-    # So many records need the bit of the sign.
+    # This number of records needs the sign bit.
     is_large = any((count or 0) > 2**31 for count in (*counts, *map(len, arrays.values())))
     if len({array.dtype for array in arrays.values()}) > 1 or is_large or not all(map(_in_place, arrays.values())):
         return {name: _copied(array) for name, array in arrays.items()}

@@ -52,9 +52,9 @@ class Columns(NamedTuple):
 
     #: The arguments of :func:`twinedge.validate`: ``origin``, ``twin``, ``next``, ``prev`` and, of a mesh, ``face`` and others.
     links: dict[str, Any]
-    #: The name of each vertex: ``vertices[v]`` is that of vertex ``v`` of a report.
+    #: The name of each vertex: ``vertices[v]`` names vertex ``v`` of a report.
     vertices: list[Any]
-    #: The origins and targets of the half-edges, of shape (h, 2): positions in ``vertices``, negative for what is not there.
+    #: The origins and targets of the half-edges, of shape (h, 2): positions in ``vertices``, negative for missing vertices.
     #: ``[vertices[v] for v in half_edges[h]]`` are the names of the ends of half-edge ``h``; ``report.name(record)`` has the same.
     half_edges: _Array
 
@@ -145,7 +145,7 @@ def compas_columns(mesh: Any) -> Columns:
     known = all(isinstance(getattr(mesh, name, None), dict) for name in ("halfedge", "face", "vertex"))
     _expect(known, "compas.datastructures.Mesh", mesh)
     halfedge, face = mesh.halfedge, mesh.face
-    # Half-edges and faces may name vertices that are gone: these come last.
+    # Half-edges and faces may name removed vertices: these come last.
     named = chain(mesh.vertex, halfedge, *halfedge.values(), chain.from_iterable(face.values()))
     vertices = [*dict.fromkeys(named)]
     index = {vertex: i for i, vertex in enumerate(vertices)}
@@ -155,7 +155,7 @@ def compas_columns(mesh: Any) -> Columns:
     target = np.array([index[v] for _, v, _ in sides], np.int64)
     label = np.array([-1 if f is None else number.get(f, _DANGLING) for _, _, f in sides], np.int64)
     half_edges = _HalfEdges(len(vertices), origin, target)
-    # Of each side of a face, the vertex to which the side after it leads.
+    # For each side of a face, the vertex to which the next side leads.
     follows = {
         (key, u, v): w
         for key, corners in face.items()

@@ -1,9 +1,9 @@
-//! Bytes that JavaScript fills and reads.
+//! Buffers that JavaScript fills and reads.
 
 /// The number of a buffer.
 pub type Id = u32;
 
-/// Buffers by their numbers. A number is used again once its buffer is taken.
+/// Buffers by their numbers. A number is reused once its buffer is taken.
 #[derive(Debug, Default)]
 pub struct Buffers(Vec<Option<Vec<u8>>>);
 
@@ -21,13 +21,13 @@ impl Buffers {
         Id::try_from(place).expect("fewer than 2^32 buffers")
     }
 
-    /// The bytes of a buffer; none, if there is no such buffer.
+    /// Returns the bytes of a buffer; empty if it does not exist.
     #[must_use]
     pub fn get(&self, id: Id) -> &[u8] {
         self.0.get(id as usize).and_then(Option::as_deref).unwrap_or_default()
     }
 
-    /// Takes a buffer away; nothing is in it, if there is no such buffer.
+    /// Removes a buffer and returns it; empty if it does not exist.
     pub fn take(&mut self, id: Id) -> Vec<u8> {
         self.0.get_mut(id as usize).and_then(Option::take).unwrap_or_default()
     }

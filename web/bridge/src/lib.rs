@@ -1,7 +1,7 @@
-//! The border between a module of WebAssembly and JavaScript: the functions that it calls, and those that it has for the module.
+//! The border between a module of WebAssembly and JavaScript: the imported functions, and the exported ones.
 //!
-//! A buffer is filled and read at its address, between two calls. No pointer is followed here. A module exports one function more, `call`. Elsewhere the names
-//! are not exported, as `free` is a name of C:
+//! A buffer is filled and read at its address, between two calls. No pointer is followed here. A module exports one
+//! more function, `call`. On other targets the names are not exported, as `free` is a name of C:
 //!
 //! ```text
 //! #[cfg_attr(target_family = "wasm", unsafe(no_mangle))]
@@ -23,21 +23,21 @@ thread_local! {
     static BUFFERS: RefCell<Buffers> = RefCell::default();
 }
 
-/// Adds a buffer of so many bytes, all 0.
+/// Adds a buffer of `length` bytes, all 0.
 #[cfg_attr(target_family = "wasm", unsafe(no_mangle))]
 #[must_use]
 pub extern "C" fn buffer(length: u32) -> Id {
     BUFFERS.with_borrow_mut(|buffers| buffers.add(vec![0; length as usize]))
 }
 
-/// The address of a buffer.
+/// Returns the address of a buffer.
 #[cfg_attr(target_family = "wasm", unsafe(no_mangle))]
 #[must_use]
 pub extern "C" fn address(id: Id) -> *const u8 {
     BUFFERS.with_borrow(|buffers| buffers.get(id).as_ptr())
 }
 
-/// The length of a buffer.
+/// Returns the length of a buffer.
 #[cfg_attr(target_family = "wasm", unsafe(no_mangle))]
 #[must_use]
 pub extern "C" fn length(id: Id) -> u32 {
@@ -50,7 +50,8 @@ pub extern "C" fn free(id: Id) {
     BUFFERS.with_borrow_mut(|buffers| drop(buffers.take(id)));
 }
 
-/// Answers the request in a buffer by a function, which takes it away and those that it names, and leaves the answer in another buffer.
+/// Answers the request in a buffer by a function, which takes the request and the buffers that it names, and leaves the
+/// answer in another buffer.
 ///
 /// A panic tells JavaScript its message before the module ends.
 pub fn answer(request: Id, call: impl FnOnce(&mut Buffers, Id, &mut dyn FnMut(&'static str)) -> Id) -> Id {
@@ -83,7 +84,7 @@ mod host {
     }
 }
 
-/// Elsewhere, for the tests.
+/// On other targets, for the tests.
 #[cfg(not(target_family = "wasm"))]
 mod host {
     pub(super) const fn stage(_: &'static str) {}

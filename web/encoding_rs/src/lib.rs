@@ -1,6 +1,7 @@
-//! In the place of the crate of this name: browsers and Node have its tables, which are a tenth of the module when it is compressed.
+//! Replaces the crate of this name: browsers and Node have its tables, which are a tenth of the compressed module.
 //!
-//! It has what this module and the crate `codepage` use. Labels and errors are those of the Encoding Standard, as `TextDecoder` has them.
+//! It has the items that this module and the crate `codepage` use. Labels and errors follow the Encoding Standard, like
+//! `TextDecoder`.
 
 use std::borrow::Cow;
 
@@ -61,14 +62,14 @@ encodings! {
     REPLACEMENT_INIT = "replacement",
 }
 
-/// The encoding in which nothing is a text.
+/// The encoding that decodes no text.
 pub static REPLACEMENT: &Encoding = &REPLACEMENT_INIT;
 
 /// The encoding of texts that name none.
 pub static WINDOWS_1252: &Encoding = &WINDOWS_1252_INIT;
 
 impl Encoding {
-    /// The encoding of this label. Each that there is takes a few bytes, which stay.
+    /// Returns the encoding of this label. Each encoding leaks a few bytes.
     #[must_use]
     pub fn for_label(label: &[u8]) -> Option<&'static Self> {
         let label = str::from_utf8(label).ok()?;
@@ -76,13 +77,13 @@ impl Encoding {
         Some(Box::leak(Box::new(Self { label: Cow::Owned(label.to_owned()) })))
     }
 
-    /// The label.
+    /// Returns the label.
     #[must_use]
     pub fn name(&self) -> &str {
         &self.label
     }
 
-    /// The text of bytes; none if they are not of this encoding. O(their number).
+    /// Decodes bytes; returns `None` if they are not of this encoding. O(their number).
     #[must_use]
     pub fn decode_without_bom_handling_and_without_replacement<'a>(
         &'static self,
@@ -91,7 +92,8 @@ impl Encoding {
         host::decode(&self.label, bytes).map(Cow::Owned)
     }
 
-    /// The text of bytes, and whether any of them are not of this encoding: then it is that of UTF-8 with replacements. O(their number).
+    /// Decodes bytes, and returns whether any of them are not of this encoding: then the text is UTF-8 with
+    /// replacements. O(their number).
     #[must_use]
     pub fn decode_without_bom_handling<'a>(&'static self, bytes: &'a [u8]) -> (Cow<'a, str>, bool) {
         match host::decode(&self.label, bytes) {
@@ -112,7 +114,8 @@ mod host {
         safe fn decoded_at(text: *mut u8);
     }
 
-    /// The text of bytes in the encoding of this label; none if there is no such one, or they are none of its.
+    /// Decodes bytes in the encoding of this label; `None` if the label is unknown, or the bytes are not of this
+    /// encoding.
     pub(super) fn decode(label: &str, bytes: &[u8]) -> Option<String> {
         let length = decode_at(label.as_ptr(), label.len(), bytes.as_ptr(), bytes.len());
         let mut text = vec![0; usize::try_from(length).ok()?];
@@ -121,7 +124,7 @@ mod host {
     }
 }
 
-/// Elsewhere, for the lints.
+/// On other targets, for the lints.
 #[cfg(not(target_family = "wasm"))]
 mod host {
     pub(super) fn decode(_: &str, bytes: &[u8]) -> Option<String> {

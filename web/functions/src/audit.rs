@@ -13,7 +13,7 @@ pub(crate) struct Request {
     files: Vec<NamedFile>,
     options: AuditOptions,
     want: Vec<Output>,
-    /// The day of today, for what is accepted.
+    /// Today's date, for newly accepted findings.
     #[serde(default)]
     date: String,
 }
@@ -35,7 +35,7 @@ pub(crate) fn answer(
 ) -> Result<Value, CallError> {
     stage("reading");
     let mut options = asked.options.options()?;
-    // A finding that is not listed would neither be accepted nor be written.
+    // A finding that is not listed would be neither accepted nor written.
     if options.accepted.is_some() || asked.want == [Output::AcceptAll] {
         options.list = Some(usize::MAX);
     }

@@ -1,6 +1,7 @@
 //! A request and its answer.
 //!
-//! A request is `{"op": …}` with what the operation takes; `{"buffer": 3}` in it stands for bytes. The answer is `{"ok": …}` or `{"error": …}`.
+//! A request is `{"op": …}` with the arguments of the operation; `{"buffer": 3}` in it stands for bytes. The answer is
+//! `{"ok": …}` or `{"error": …}`.
 
 use crate::error::CallError;
 use crate::{audit, check, clean, convert, neighbours, validate, voronoi};
@@ -20,7 +21,8 @@ enum Request {
     Check(check::Request),
 }
 
-/// Answers a request, of which the JSON is in a buffer. It and those that it names are taken away. The answer is in another buffer.
+/// Answers a request whose JSON is in a buffer. Takes the request and the buffers that it names, and leaves the answer
+/// in another buffer.
 ///
 /// # Panics
 /// If the answer cannot be written as JSON, which does not happen.
@@ -29,7 +31,7 @@ pub(crate) fn call(buffers: &mut Buffers, request: Id, stage: &mut dyn FnMut(&'s
     let answer = match answer(buffers, &json, stage) {
         Ok(ok) => json!({ "ok": ok }),
         Err(error) => {
-            // Nobody asks for what was there before the error.
+            // Drops the buffers written before the error, which nobody reads.
             *buffers = Buffers::default();
             json!({ "error": error.json() })
         }
@@ -39,7 +41,7 @@ pub(crate) fn call(buffers: &mut Buffers, request: Id, stage: &mut dyn FnMut(&'s
 
 fn answer(buffers: &mut Buffers, json: &[u8], stage: &mut dyn FnMut(&'static str)) -> Result<Value, CallError> {
     let request = serde_json::from_slice(json).map_err(|error| {
-        // The place in the request says nothing to whoever wrote no JSON.
+        // The position in the request means nothing to callers who wrote no JSON.
         let text = error.to_string();
         CallError::option(text.split(" at line ").next().unwrap_or(&text))
     })?;

@@ -51,7 +51,7 @@ impl Columns for Folder {
 }
 
 pub(crate) fn answer(asked: Request, buffers: &mut Buffers) -> Result<Value, CallError> {
-    // Folders may be named: what counts is the name of the file.
+    // The files may be given with folders: only the file name counts.
     let mut files: Vec<(String, Vec<u8>)> = asked
         .files
         .into_iter()

@@ -27,7 +27,6 @@ struct ConvertOptions {
     lossy: bool,
 }
 
-/// A format to write.
 #[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq)]
 #[serde(rename_all = "lowercase")]
 pub(crate) enum Target {
@@ -64,14 +63,14 @@ impl Target {
     }
 }
 
-/// A layer that was written.
 #[derive(Serialize)]
 pub(crate) struct Written {
     pub(crate) file: NamedFile,
     pub(crate) losses: Vec<String>,
 }
 
-/// Writes a layer; a Shapefile as a zip archive of its files. What the format cannot hold is an error, unless losses are allowed.
+/// Writes a layer; a Shapefile as a zip archive of its files. Content that the format cannot hold is an error, unless
+/// losses are allowed.
 pub(crate) fn write(
     layer: &Layer,
     stem: &str,

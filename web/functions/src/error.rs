@@ -20,12 +20,12 @@ impl CallError {
         Self { code, message: message.to_string(), place: Map::new() }
     }
 
-    /// An option that is wrong.
+    /// An invalid option.
     pub(crate) fn option(message: impl Display) -> Self {
         Self::new("option", message)
     }
 
-    /// Several files, of which one can be read.
+    /// Several files, where only one can be read.
     pub(crate) fn several(files: &[&PathBuf]) -> Self {
         let names: Vec<String> = files.iter().map(|path| path.display().to_string()).collect();
         let message = format!("these are {} maps, and one is read at a time: {}", names.len(), names.join(", "));
@@ -37,7 +37,7 @@ impl CallError {
         self
     }
 
-    /// The same, about the input of this name.
+    /// Returns the error with the name of the input.
     pub(crate) fn of(mut self, name: &str) -> Self {
         self.message = format!("{name}: {}", self.message);
         self.at([("input", name.into())])

@@ -1,4 +1,4 @@
-//! Options, as the package has them.
+//! Options, as the package spells them.
 
 use crate::error::CallError;
 use serde::Deserialize;
@@ -17,7 +17,7 @@ pub(crate) enum Grid {
     Word(String),
 }
 
-/// The grid that was asked for.
+/// Returns the requested grid.
 pub(crate) fn snap(grid: Option<&Grid>) -> Result<Option<Snap>, CallError> {
     match grid {
         None => Ok(None),
@@ -39,7 +39,7 @@ pub(crate) struct Gaps {
 }
 
 impl Gaps {
-    /// Refuses limits that are no positive numbers.
+    /// Refuses limits that are not positive numbers.
     pub(crate) fn checked(&self) -> Result<(), CallError> {
         let all = [("gapWidth", self.gap_width), ("lakeWidth", self.lake_width), ("sliver", self.sliver)];
         match all
@@ -56,7 +56,7 @@ impl Gaps {
     }
 }
 
-/// The options of an audit, and of what reads a map.
+/// The options of an audit, and of every function that reads a map.
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(default, rename_all = "camelCase", deny_unknown_fields)]
 #[allow(clippy::struct_excessive_bools, reason = "they are independent switches of JavaScript")]

@@ -10,7 +10,7 @@ use twinedge_formats::mesh::Format as MeshFormat;
 use twinedge_report::Input;
 use twinedge_web_bridge::{Buffers, Id};
 
-/// A buffer, as it stands in JSON.
+/// A buffer, as it appears in JSON.
 #[derive(Clone, Copy, Debug, Deserialize, Serialize)]
 pub(crate) struct Buffer {
     buffer: Id,
@@ -26,7 +26,6 @@ impl Buffer {
     }
 }
 
-/// A file with its name.
 #[derive(Debug, Deserialize, Serialize)]
 pub(crate) struct NamedFile {
     pub(crate) name: String,
@@ -36,8 +35,8 @@ pub(crate) struct NamedFile {
 /// The parts of layers and meshes that are read with another file.
 const PARTS: [&str; 13] = ["dbf", "shx", "prj", "cpg", "sbn", "sbx", "qix", "qpj", "qmd", "xml", "mtl", "bin", "lyr"];
 
-/// The main file of several: the one that is no part of another one, or the only map or mesh among these. Of several maps one is meant if `layer` is its
-/// name.
+/// Returns the main file of several: the one that is no part of another, or the only map or mesh among these. Among
+/// several maps, `layer` may name the one to use.
 fn main_of<'a>(names: &'a [PathBuf], layer: Option<&str>) -> Result<&'a PathBuf, CallError> {
     let is_part = |path: &&PathBuf| {
         let extension = path.extension().map(|extension| extension.to_string_lossy().to_lowercase());
@@ -56,7 +55,7 @@ fn main_of<'a>(names: &'a [PathBuf], layer: Option<&str>) -> Result<&'a PathBuf,
     several.iter().find(is_meant).copied().ok_or_else(|| CallError::several(&several))
 }
 
-/// The input that these files are: one of them, which others may belong to. Archives are unpacked.
+/// Returns the input that these files form: one of them, with the files that belong to it. Archives are unpacked.
 pub(crate) fn input(files: Vec<NamedFile>, layer: Option<&str>, buffers: &mut Buffers) -> Result<Input, CallError> {
     let names: Vec<PathBuf> = files.iter().map(|file| PathBuf::from(&file.name)).collect();
     let main = main_of(&names, layer)?.clone();
@@ -70,13 +69,13 @@ pub(crate) fn input(files: Vec<NamedFile>, layer: Option<&str>, buffers: &mut Bu
         (all, path, wanted) = (unpacked.files, unpacked.path, unpacked.layer);
     }
     let bytes = all.share(&path).unwrap_or_default();
-    // A Shapefile is read by its name; nothing else needs the files once more.
+    // A Shapefile is read by its name; nothing else needs the files afterwards.
     let is_several = Format::of_path(&path) == Some(Format::Shapefile);
     let input = Input::new(name, Box::new(Cursor::new(bytes)), Some(&path));
     Ok(Input { layer: wanted, files: is_several.then(|| Arc::new(all)), ..input })
 }
 
-/// Reads a whole layer, and gives the name of the input with it.
+/// Reads a whole layer. Returns it with the name of the input.
 pub(crate) fn layer(
     files: Vec<NamedFile>,
     layer: Option<&str>,
@@ -90,7 +89,7 @@ pub(crate) fn layer(
     Ok((name.clone(), read.map_err(|error| CallError::from(error).of(&name))?))
 }
 
-/// The name of an input without folders and extension.
+/// Returns the name of an input without folders and extension.
 pub(crate) fn stem(name: &str, header: &Header) -> String {
     let stem = Path::new(name).file_stem().map(|stem| stem.to_string_lossy().into_owned());
     stem.or_else(|| header.name.clone()).unwrap_or_else(|| "layer".to_owned())

@@ -43,7 +43,7 @@ impl From<ColumnsError> for CallError {
     }
 }
 
-/// One more than the greatest index. A negative number is no index.
+/// Returns one more than the greatest index. A negative number is no index.
 fn slots(column: &[u32]) -> usize {
     column.iter().filter(|index| i32::try_from(**index).is_ok()).max().map_or(0, |greatest| *greatest as usize + 1)
 }
@@ -52,7 +52,8 @@ pub(crate) fn answer(asked: Request, buffers: &mut Buffers) -> Result<Value, Cal
     let Request { columns: given, vertices, faces, expectation, options } = asked;
     let expectation: Expectation =
         expectation.parse().map_err(|error| CallError::option(format!("expectation: {error}")))?;
-    // The columns hold numbers with a sign. Without it −1 is still nil, and other negative numbers still lead nowhere.
+    // The columns hold signed numbers. Read as unsigned, −1 is still nil, and other negative numbers still lead
+    // nowhere.
     let mut column = |buffer: Option<Buffer>| -> Option<Vec<u32>> {
         let bytes = buffer?.take(buffers);
         Some(bytes.as_chunks().0.iter().copied().map(u32::from_le_bytes).collect())

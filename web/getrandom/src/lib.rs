@@ -1,9 +1,9 @@
-//! In the place of the crate of this name, which brings the glue of `wasm-bindgen` with it. The crate `zip` asks for random numbers where it
-//! encrypts, which nothing here does.
+//! Replaces the crate of this name, which brings the glue of `wasm-bindgen` with it. The crate `zip` needs random
+//! numbers to encrypt, which nothing here does.
 
 use std::fmt;
 
-/// There are no random numbers.
+/// No random numbers are available.
 #[derive(Clone, Copy, Debug)]
 pub struct Error;
 
@@ -15,7 +15,7 @@ impl fmt::Display for Error {
 
 impl std::error::Error for Error {}
 
-/// Fills bytes with random numbers, of which there are none.
+/// Refuses to fill bytes with random numbers.
 ///
 /// # Errors
 /// [`Error`], always.
@@ -23,7 +23,7 @@ pub const fn fill(_: &mut [u8]) -> Result<(), Error> {
     Err(Error)
 }
 
-/// A random number, of which there are none.
+/// Refuses to return a random number.
 ///
 /// # Errors
 /// [`Error`], always.

@@ -1,14 +1,14 @@
-//! A cell of a table, which takes any value, right or wrong.
+//! A cell of a table, which takes any value, valid or not.
 
 use crate::error::LessonError;
 use twinedge::validate::{BoundaryPlace, Link, Record, Start, Table};
 
-/// The number after a letter, as in `h3`.
+/// Returns the number after a letter, as in `h3`.
 fn numbered(text: &str, letter: char) -> Option<usize> {
     text.strip_prefix(letter)?.parse().ok()
 }
 
-/// The value of a field, read by a function unless it is `-`, which stands for nil.
+/// The text of a field's value; `-` stands for nil.
 struct Value<'a> {
     text: &'a str,
     field: &'a str,

@@ -7,13 +7,12 @@ use twinedge::validate::Record;
 /// The reason why a request was refused. The structure is unchanged.
 #[derive(Debug, PartialEq, Eq, Error)]
 pub(crate) enum LessonError {
-    /// The request has another form than any operation.
+    /// The request has the form of no operation.
     #[error("{0}")]
     Request(String),
     /// There is no record with this index.
     #[error("there is no {0}")]
     NoRecord(Record),
-    /// The operator refuses.
     #[error("{0}")]
     Operator(String),
     /// A link was set by hand.
@@ -25,9 +24,7 @@ pub(crate) enum LessonError {
     /// The value is no link to such a record.
     #[error("`{value}` is no value of {field}: {expected}")]
     Value {
-        /// The text that was given.
         value: String,
-        /// The field.
         field: String,
         /// The form of its values.
         expected: &'static str,
@@ -35,7 +32,7 @@ pub(crate) enum LessonError {
 }
 
 impl LessonError {
-    /// The error of an operator. The records that it names have the names of the tables.
+    /// Returns the error of an operator, with the records named as in the tables.
     pub(crate) fn operator(error: OperatorError, dcel: &Dcel) -> Self {
         let mut text = error.to_string();
         for (key, record) in crate::state::keys(dcel) {
@@ -44,7 +41,7 @@ impl LessonError {
         Self::Operator(text)
     }
 
-    /// The code that JavaScript throws it with.
+    /// Returns the code with which JavaScript throws the error.
     pub(crate) const fn code(&self) -> &'static str {
         match self {
             Self::Request(_) | Self::NoRecord(_) | Self::NoField(..) | Self::Value { .. } => "option",

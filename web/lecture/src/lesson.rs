@@ -24,7 +24,7 @@ pub(crate) enum Operator {
     MoveInner { boundary: usize, face: usize },
 }
 
-/// A corner: that of a half-edge, or an isolated vertex.
+/// A corner: at a half-edge, or at an isolated vertex.
 #[derive(Clone, Copy, Debug, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum Place {
@@ -32,14 +32,14 @@ pub(crate) enum Place {
     Vertex(usize),
 }
 
-/// Tables of which a cell was set by hand, and the name of that.
+/// Tables with a cell set by hand, and the name of the cell.
 #[derive(Clone, Debug)]
 struct Edited {
     name: String,
     table: Table,
 }
 
-/// A structure whose changes are undone and redone. Links that were set by hand are above all operators.
+/// A structure with undo and redo. Links set by hand come after all operators.
 pub(crate) struct Lesson {
     history: History,
     edited: Vec<Edited>,
@@ -153,18 +153,18 @@ impl Operator {
 }
 
 impl Lesson {
-    /// The tables of the structure itself.
+    /// Returns the tables of the structure itself.
     ///
     /// # Panics
-    /// If there is no memory for as many records as there are.
+    /// If there is no memory for the records.
     fn sound(&self) -> Table {
         Table::copy_of(self.history.get()).expect("a copy of a structure that a page shows")
     }
 
-    /// Does an operator.
+    /// Applies an operator.
     ///
     /// # Errors
-    /// [`LessonError::Touched`] while the tables are not those of the structure; that of the operator.
+    /// [`LessonError::Touched`] while the tables differ from the structure, or the operator's error.
     pub(crate) fn operate(&mut self, operator: Operator) -> Result<(), LessonError> {
         if self.edited.last().is_some_and(|edited| edited.table != self.sound()) {
             return Err(LessonError::Touched);
@@ -178,7 +178,7 @@ impl Lesson {
     /// Sets a field by hand.
     ///
     /// # Errors
-    /// Those of [`cell::set`].
+    /// Errors of [`cell::set`].
     pub(crate) fn set(&mut self, record: Record, field: &str, value: &str) -> Result<(), LessonError> {
         let before = self.edited.last().map_or_else(|| self.sound(), |edited| edited.table.clone());
         let mut table = before.clone();
@@ -187,13 +187,13 @@ impl Lesson {
             let name = format!("{field} of {}", state::name(record));
             self.edited.push(Edited { name, table });
             self.undone.clear();
-            // Nothing that was undone comes before this.
+            // Drops the redo entries, which this change invalidates.
             self.history.forget(usize::MAX);
         }
         Ok(())
     }
 
-    /// Takes back what was done last. Nothing happens if there is nothing.
+    /// Undoes the last change, if any.
     pub(crate) fn undo(&mut self) {
         match self.edited.pop() {
             Some(edited) => self.undone.push(edited),
@@ -201,15 +201,15 @@ impl Lesson {
         }
     }
 
-    /// Does again what was undone last. Nothing happens if there is nothing.
+    /// Redoes the last undone change, if any.
     pub(crate) fn redo(&mut self) {
-        // All operators were before the links that were set by hand.
+        // All operators came before the links set by hand.
         if !self.history.redo() {
             self.edited.extend(self.undone.pop());
         }
     }
 
-    /// Forgets the operators that could be undone or redone.
+    /// Drops the undo and redo entries.
     pub(crate) fn forget(&mut self) {
         self.history.forget(0);
     }

@@ -1,11 +1,11 @@
-//! The lecture for WebAssembly: a half-edge structure that is changed by operators, and broken by hand.
+//! The lecture for WebAssembly: a half-edge structure to change by operators, and to break by hand.
 //!
 //! ```text
 //!   lecture.js ── buffers ──► call ──► lesson: History, and above it tables that were edited
 //! ```
 //!
-//! A request is `{"op": …}` with the arguments of the operator. Records are named by their indices. The answer is `{"ok": …}`, the whole
-//! `State`, or `{"error": …}`.
+//! A request is `{"op": …}` with the arguments of the operator. Records are named by their indices. The answer is
+//! `{"ok": …}`, the whole `State`, or `{"error": …}`.
 #![allow(unsafe_code, reason = "an exported name, which nothing else has")]
 
 mod call;

@@ -15,7 +15,7 @@ pub(crate) fn name(record: Record) -> String {
     format!("{letter}{}", record.index())
 }
 
-/// The keys of all records, as errors print them. No record that is removed leaves its key to another one.
+/// The keys of all records, as errors print them. A removed record never passes its key on to another one.
 pub(crate) fn keys(dcel: &Dcel) -> Vec<(String, Record)> {
     let vertices = dcel.vertices().map(|vertex| (format!("{:?}", vertex.key()), Record::Vertex(vertex.index())));
     let half_edges = dcel.half_edges().map(|h| (format!("{:?}", h.key()), Record::HalfEdge(h.index())));
@@ -24,14 +24,14 @@ pub(crate) fn keys(dcel: &Dcel) -> Vec<(String, Record)> {
     vertices.chain(half_edges).chain(boundaries).chain(faces).collect()
 }
 
-/// A rule and what came of it.
+/// A rule and its outcome.
 #[derive(Debug, Serialize)]
 struct RuleState {
     id: &'static str,
     name: &'static str,
     statement: &'static str,
     violations: u64,
-    /// Says why it was not checked.
+    /// Explains why the rule was not checked.
     unchecked: Option<String>,
 }
 
@@ -46,19 +46,20 @@ struct Broken {
     records: Vec<Record>,
 }
 
-/// All that a page shows of a structure.
+/// Everything that a page shows of a structure.
 #[derive(Debug, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub(crate) struct State {
-    /// The tables, with what was set by hand.
+    /// The tables, with the cells set by hand.
     table: Table,
-    /// The tables without that: the structure that a picture shows.
+    /// The tables without these cells: the structure in the picture.
     sound: Table,
-    /// The keys of records, in the order of the tables. They tell a record from another one that has its index later.
+    /// The keys of records, in the order of the tables. They distinguish a record from a later one with the same
+    /// index.
     keys: Vec<(String, Record)>,
-    /// The name of what can be undone.
+    /// The name of the change to undo.
     undo: Option<String>,
-    /// The name of what can be redone.
+    /// The name of the change to redo.
     redo: Option<String>,
     /// The report on `table`.
     report: Report,

@@ -1,4 +1,4 @@
-//! The module of WebAssembly with the structure of the lecture. It is small, so that the page loads fast.
+//! The WebAssembly module with the structure of the lecture. It is small, so that the page loads fast.
 
-// Its exported functions are those of the module.
+// The module exports these functions.
 extern crate twinedge_web_lecture as _;

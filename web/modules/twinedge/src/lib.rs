@@ -1,4 +1,4 @@
-//! The module of WebAssembly with all functions.
+//! The WebAssembly module with all functions.
 
-// Its exported functions are those of the module.
+// The module exports these functions.
 extern crate twinedge_web as _;
