@@ -1,7 +1,7 @@
-//! The measures of ISO 19157 that metadata of quality are made of.
+//! The measures of ISO 19157 used in quality metadata.
 //!
-//! Sources: ISO 19157:2013, annex D, for measures and what they count; ISO/TS 19139:2007, `gmd/dataQuality.xsd`, for the form as XML. Gaps (C2),
-//! features that cover the same place, whatever their attributes (C5), and the rules between layers have no measure there.
+//! Sources: ISO 19157:2013, annex D, for the measures and their counts; ISO/TS 19139:2007, `gmd/dataQuality.xsd`, for the XML. ISO 19157 has no
+//! measure for gaps (C2), for features that cover the same place, whatever their attributes (C5), or for the rules between layers.
 
 use crate::coverage_words::statement;
 use crate::iso_measure::{FAULTY_CONNECTION, OVERLAP, SELF_INTERSECT, SLIVER, UNDERSHOOT, measure_of};
@@ -11,7 +11,6 @@ use serde::Serialize;
 use std::fmt::Write as _;
 use twinedge_coverage::CoverageRule;
 
-/// The measures of an audit.
 #[derive(Debug, Serialize)]
 pub(crate) struct Quality<'a> {
     standard: &'static str,
@@ -21,30 +20,26 @@ pub(crate) struct Quality<'a> {
     without_measure: Vec<Unmeasured>,
 }
 
-/// A measure and its value.
 #[derive(Debug, Serialize)]
 struct Measure {
     id: u32,
     name: &'static str,
-    /// The element of quality that it belongs to.
     element: &'static str,
     rule: &'static str,
-    /// None if the rule was not checked.
+    /// `None` means that the rule was not checked.
     value: Option<usize>,
     parameters: Vec<Parameter>,
-    /// The way in which it is counted.
+    /// The basis of the count, in words.
     #[serde(skip)]
     counted: String,
 }
 
-/// A parameter of a measure.
 #[derive(Debug, Serialize)]
 struct Parameter {
     name: &'static str,
     value: f64,
 }
 
-/// A rule whose findings no measure counts.
 #[derive(Debug, Serialize)]
 struct Unmeasured {
     rule: &'static str,
@@ -56,7 +51,7 @@ const TOPOLOGICAL: &str = "DQ_TopologicalConsistency";
 const CONCEPTUAL: &str = "DQ_ConceptualConsistency";
 
 impl<'a> Quality<'a> {
-    /// Counts the findings that were not accepted; all are to be listed. None if it is no map.
+    /// Counts the unaccepted findings; every finding must be listed. Returns `None` if the input is not a map.
     pub(crate) fn of(report: &'a AuditReport) -> Option<Self> {
         let coverage = report.coverage.as_ref()?;
         let open = |rule: CoverageRule| {
@@ -155,10 +150,10 @@ impl<'a> Quality<'a> {
         })
     }
 
-    /// The measures as an element `gmd:DQ_DataQuality` of ISO/TS 19139.
+    /// Returns the measures as an element `gmd:DQ_DataQuality` of ISO/TS 19139.
     ///
     /// # Errors
-    /// None that happens: writing to a string does not fail.
+    /// Never: writing to a string does not fail.
     pub(crate) fn xml(&self) -> Result<String, std::fmt::Error> {
         const CODES: &str = "http://standards.iso.org/iso/19139/resources/gmxCodelists.xml";
         let mut out = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
@@ -213,7 +208,7 @@ impl<'a> Quality<'a> {
         Ok(out)
     }
 
-    /// The findings without measure, as they may stand in a comment.
+    /// The findings without a measure, escaped for a comment.
     fn remark(&self) -> String {
         let of = |one: &Unmeasured| {
             let findings = one.findings.map_or_else(|| "not checked".to_owned(), |count| count.to_string());
