@@ -161,7 +161,7 @@ impl From<EdgeShape> for Edges {
 }
 
 impl Audit {
-    /// The options; with lists of accepted findings and for measures, all findings are listed.
+    /// Returns the options. Lists of accepted findings, and measures, list all findings.
     pub(super) fn options(&self, accepted: Option<Accepted>) -> Options {
         let is_all = self.accept.is_some() || self.accept_all.is_some() || self.iso.is_some();
         Options {

@@ -1,4 +1,4 @@
-//! Writing an audit in the format that was asked for.
+//! Writing an audit in the requested format.
 
 use super::destination::{Destination, ReportFormat};
 use crate::output::plain;
@@ -7,17 +7,17 @@ use crate::output::style::BAD;
 use crate::status::Failure;
 use twinedge_report::Audited;
 
-/// Writes the measures of ISO 19157, in the form that the extension of the output says.
+/// Writes the measures of ISO 19157, in the form named by the output's extension.
 pub(super) fn write_iso(audited: &Audited, to: &Destination<'_>) -> Result<(), Failure> {
     match to.format {
         ReportFormat::Json => to.bytes(&audited.iso_json()?),
-        // Without a file there is no extension.
+        // Standard output has no extension.
         ReportFormat::Junit | ReportFormat::Text => to.bytes(audited.iso_xml()?.as_bytes()),
         _ => Err(Failure("the measures of ISO 19157 are written as .xml or .json".to_owned())),
     }
 }
 
-/// Writes an audit. Where a layer or a page goes to a file, a line for people says so.
+/// Writes an audit. If a layer or a page goes to a file, also prints a line about it.
 pub(super) fn write(audited: &Audited, to: &Destination<'_>) -> Result<(), Failure> {
     match to.format {
         ReportFormat::Text => to.text(&audited.text()?)?,

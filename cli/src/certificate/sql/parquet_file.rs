@@ -1,4 +1,4 @@
-//! A table in Parquet: integers of 64 bits as differences (`DELTA_BINARY_PACKED`), which makes links small without compression.
+//! A table in Parquet: 64-bit integers as differences (`DELTA_BINARY_PACKED`), which keeps links small without compression.
 
 use super::tables::{Table, TableColumn};
 use crate::status::Failure;
@@ -16,7 +16,7 @@ use std::sync::Arc;
 /// The rows of a row group: engines give each group to one thread.
 const ROWS: usize = 1 << 17;
 
-/// Writes a table, with these keys and values as metadata.
+/// Writes a table with these keys and values as metadata.
 pub(super) fn write(folder: &Path, mut table: Table<'_>, metadata: &[(&str, &str)]) -> Result<(), Failure> {
     let file = File::create(folder.join(format!("{}.parquet", table.name)))?;
     let mut writer = SerializedFileWriter::new(file, schema(&table)?, Arc::new(properties(metadata)))?;

@@ -4,7 +4,7 @@ use crate::certificate::folder::{Claim, Folder};
 use twinedge::validate::View;
 use twinedge_certificate::{Certificate, Column, Drawing, Labels, VACANT};
 
-/// A table: its name, and its columns, all of the same length.
+/// A table: its name and its columns, which have equal lengths.
 pub(super) struct Table<'a> {
     pub(super) name: &'static str,
     pub(super) columns: Vec<TableColumn<'a>>,
@@ -18,7 +18,7 @@ pub(super) struct TableColumn<'a> {
     pub(super) values: Box<dyn Iterator<Item = Option<i64>> + 'a>,
 }
 
-/// A column of the certificate under its name in a table.
+/// A column of the certificate, with its name in a table.
 struct Source {
     name: &'static str,
     column: Column,
@@ -29,12 +29,12 @@ const fn numbers(name: &'static str, column: Column) -> Source {
     Source { name, column, is_nullable: false }
 }
 
-/// A column that may have nil in a certificate that is right.
+/// A column that may contain nil in a valid certificate.
 const fn links(name: &'static str, column: Column) -> Source {
     Source { name, column, is_nullable: true }
 }
 
-/// A table with a row for each live record of a kind. Where the first column says so, a slot is vacant.
+/// A table with a row for each live record of a kind. The first column tells vacant slots.
 struct RecordTable {
     name: &'static str,
     key: &'static str,
@@ -43,7 +43,6 @@ struct RecordTable {
     dart: Option<Column>,
 }
 
-/// The names of all tables.
 pub(super) const NAMES: [&str; 7] = ["half_edges", "vertices", "boundaries", "faces", "entries", "sides", "points"];
 
 const OF_SUBDIVISION: [RecordTable; 4] = [
@@ -126,7 +125,6 @@ const SIDES: [Source; 6] = [
     numbers("dart_rank", Column::DartRank),
 ];
 
-/// The tables of a certificate.
 pub(super) fn tables(claim: &Claim) -> Vec<Table<'_>> {
     let folder = match claim {
         Claim::Surface(surface) => {
@@ -152,7 +150,7 @@ fn of_records<'a>(table: &'static RecordTable, labels: &'a Labels, drawing: Opti
     Table { name: table.name, columns }
 }
 
-/// The entries of the lists of faces.
+/// The entries in the lists of faces.
 fn entries(certificate: &Certificate) -> Table<'_> {
     let faces = || (0..certificate.face_slots()).filter(|f| certificate.is_face(*f));
     let entries = || faces().flat_map(|f| (0..certificate.inner_count(f)).map(move |i| (f, i)));
@@ -182,12 +180,12 @@ fn points(drawing: &Drawing) -> Table<'_> {
     Table { name: "points", columns: vec![required("point", 0..drawing.points.len()), axis("x", 0), axis("y", 1)] }
 }
 
-/// A column of numbers of records or places.
+/// A column of record numbers or positions.
 fn required<'a>(name: &'static str, numbers: impl Iterator<Item = usize> + 'a) -> TableColumn<'a> {
     TableColumn { name, is_nullable: false, values: Box::new(numbers.map(|number| i64::try_from(number).ok())) }
 }
 
-/// The entries of these records in a column of the certificate.
+/// The entries of these records in a column.
 fn of<'a>(labels: &'a Labels, source: &Source, records: impl Iterator<Item = usize> + 'a) -> TableColumn<'a> {
     let Source { name, column, is_nullable } = *source;
     let numbers = labels.column(column);
