@@ -1,4 +1,4 @@
-//! `twinedge audit --iso 19157`: measures of quality for metadata.
+//! `twinedge audit --iso 19157`: quality measures for metadata.
 
 use crate::support::{complaint, json as run, twinedge};
 use serde_json::{Value, json};
@@ -33,7 +33,8 @@ fn measured(folder: &TempDir, options: &[&str]) -> (Option<i32>, Value) {
     (output.status.code(), serde_json::from_slice(&fs::read(report).unwrap()).unwrap())
 }
 
-/// Ids, names and elements are those of ISO 19157:2013, annex D (<https://www.geoapi.org/snapshot/javadoc/org.opengis.geoapi/org/opengis/metadata/quality/>).
+/// The ids, names and elements come from ISO 19157:2013, annex D
+/// (<https://www.geoapi.org/snapshot/javadoc/org.opengis.geoapi/org/opengis/metadata/quality/>).
 #[test]
 fn each_measure_counts_what_the_standard_counts() {
     let folder = TempDir::new().unwrap();
@@ -81,7 +82,7 @@ fn findings_name_the_measure_that_counts_them() {
         let found = of(rule);
         assert!(!found.is_empty() && found.iter().all(|one| *one == measure), "{rule}: {found:?}");
     }
-    // A ring that crosses itself is counted, and one that turns back by another measure, which counts features.
+    // A ring that crosses itself is counted by one measure, and a ring that turns back by another one, which counts features.
     assert!(of("C6").contains(&json!(26)) && of("C2").iter().chain(&of("C5")).all(Value::is_null), "{report}");
 }
 
@@ -92,11 +93,11 @@ fn what_was_accepted_is_no_error() {
     run(&["audit", &fields(&folder), "--accept-all", &list, "--format", "json"]);
     let (_, quality) = measured(&folder, &["--accept", &list]);
     let values: Vec<_> = quality["measures"].as_array().unwrap().iter().map(|one| &one["value"]).collect();
-    // A ring that turns back is no finding of its own.
+    // A ring that turns back is not a separate finding.
     assert_eq!(values, [0, 0, 0, 0, 0, 1].map(|value| json!(value)).iter().collect::<Vec<_>>());
 }
 
-/// The names of all elements in their order, if every element ends where it may.
+/// Returns the names of all elements in order, if the elements are properly nested.
 fn elements(xml: &str) -> Vec<&str> {
     let (mut names, mut open) = (Vec::new(), Vec::new());
     let mut rest = xml.strip_prefix("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n").expect("a declaration");
@@ -124,7 +125,7 @@ fn elements(xml: &str) -> Vec<&str> {
     names
 }
 
-/// The order of elements is that of `gmd/dataQuality.xsd` (ISO/TS 19139:2007): `AbstractDQ_Element_Type` and `DQ_QuantitativeResult_Type`.
+/// The order of elements follows `gmd/dataQuality.xsd` (ISO/TS 19139:2007): `AbstractDQ_Element_Type` and `DQ_QuantitativeResult_Type`.
 #[test]
 fn the_xml_has_the_form_of_iso_19139() {
     let folder = TempDir::new().unwrap();
@@ -166,7 +167,7 @@ fn the_xml_has_the_form_of_iso_19139() {
     }
 }
 
-/// Tiles do not count the rings that turn straight back, which two of the measures need.
+/// Tiles do not count rings that turn straight back, which two of the measures need.
 #[test]
 fn measures_are_not_taken_from_tiles() {
     let folder = TempDir::new().unwrap();
