@@ -1,4 +1,4 @@
-//! The same files, read by other crates.
+//! Files read by other crates, for comparison.
 
 use crate::support::shapes::{mesh, points};
 use crate::support::soup::Soup;
@@ -25,7 +25,7 @@ fn check(tests: u64, property: fn(Soup)) {
 #[test]
 fn obj_is_what_tobj_reads() {
     fn agrees(soup: Soup) {
-        // It drops faces without vertices.
+        // This crate drops faces without vertices.
         let faces: Vec<_> = soup.faces.iter().filter(|face| !face.is_empty()).collect();
         let mesh = IndexedMesh::from_faces(points(soup.points), faces).expect("indices in range");
         let bytes = write(&mesh, Written::Obj);
@@ -83,7 +83,7 @@ fn stl_is_what_stl_io_reads() {
         for kind in [Written::TextStl, Written::BinaryStl] {
             let mut bytes = write(&mesh, kind);
             if kind == Written::BinaryStl {
-                // It takes a header with `solid` for text.
+                // This crate takes a header with `solid` for text.
                 bytes[0] = b'b';
             }
             let stl = stl_io::read_stl(&mut Cursor::new(&bytes)).expect("well-formed");
