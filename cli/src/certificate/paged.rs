@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use twinedge_certificate::{Column, Columns, Numbers};
 use twinedge_report::certificate::{POINT_FILES, file_name};
 
-/// The numbers on a page.
+/// The number of entries on a page.
 const PAGE: usize = 4096;
 
 /// The columns, cached as far as memory permits.

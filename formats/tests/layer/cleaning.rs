@@ -114,7 +114,7 @@ fn an_overlap_goes_to_whom_is_asked() {
     assert_eq!(areas(Winner::Last), [95.0, 155.0]);
 }
 
-/// One outer ring turns clockwise, the other counter-clockwise, and so does a hole that is not touched but for its feature.
+/// The first outer ring and its hole are clockwise, the other outer ring is counter-clockwise.
 #[test]
 fn rings_that_are_made_anew_turn_as_those_before() {
     let text = "POLYGON((0 0,0 10,10 10,10 0,0 0),(2 2,2 4,4 4,4 2,2 2))\nPOLYGON((9.5 0,25 0,25 10,9.5 10,9.5 0))\n";
@@ -145,7 +145,7 @@ fn an_accepted_place_without_a_gap_is_reported() {
     assert_eq!((report.accepted_gaps.len(), report.unmet), (1, vec![places[0]]));
 }
 
-/// A feature inside another one keeps its place, also where it sticks out a little; one that does not lie inside loses to the larger.
+/// A feature inside another one keeps its place, even if it sticks out a little; a feature that is not inside loses to the larger one.
 #[test]
 fn a_nested_feature_is_not_emptied() {
     let within = "POLYGON((0 0,30 0,30 30,0 30,0 0))\nPOLYGON((10 10,20 10,20 20,10 20,10 10))\nPOLYGON((12 12,14 12,14 14,12 14,12 12))\n\
