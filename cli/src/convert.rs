@@ -148,7 +148,6 @@ impl LayerOutput {
         Ok((layer, format))
     }
 
-    /// Refuses to overwrite another input.
     pub(crate) fn refuse_input(&self, input: &Path) -> Result<(), Failure> {
         match self.output.as_deref() {
             Some(output) if is_same_file(output, input).unwrap_or(false) => {
@@ -173,7 +172,6 @@ impl LayerOutput {
         Ok(Some(Written { name: path.display().to_string(), format }))
     }
 
-    /// Refuses to write another format than this one.
     pub(crate) fn refuse_other(&self, format: Format) -> Result<(), Failure> {
         let of_path = self.path().and_then(Format::of_path);
         match self.to.map(Format::from).or(of_path).filter(|asked| *asked != format) {

@@ -70,7 +70,6 @@ fn read(path: &Path) -> Result<Compared, Failure> {
     Compared::new(&report).map_err(named(&name))
 }
 
-/// A finding of a report, in one line.
 fn line(one: &Value) -> String {
     let name = |feature: &Value| match feature {
         Value::String(name) => name.clone(),

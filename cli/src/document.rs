@@ -15,7 +15,6 @@ pub(crate) trait Printed: Outcome + Serialize + DeserializeOwned {
     /// The entries specific to the command.
     type Extra: Default + Serialize + DeserializeOwned;
 
-    /// Returns the outcome for people.
     fn text(&self, extra: &Self::Extra, seconds: f64) -> String;
 
     /// Returns true if the outcome has errors, even if the run was interrupted.

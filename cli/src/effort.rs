@@ -60,7 +60,6 @@ impl Effort {
         Err(Failure(refused))
     }
 
-    /// Prints the estimate to standard error.
     pub(crate) fn say(&self, estimate: Estimate) {
         eprintln!("estimated: {}", self.said(estimate));
     }
@@ -87,12 +86,10 @@ impl Effort {
     }
 }
 
-/// The number of threads that the machine can run in parallel.
 fn cores() -> usize {
     std::thread::available_parallelism().map_or(1, Into::into)
 }
 
-/// A time in words.
 fn about(seconds: u128) -> String {
     match seconds {
         0..=119 => format!("about {seconds} seconds"),

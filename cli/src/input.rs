@@ -86,7 +86,6 @@ pub(crate) struct MapFile {
     allow_empty: bool,
 }
 
-/// A layer, with its text.
 pub(crate) struct WithText {
     pub(crate) name: String,
     pub(crate) layer: Layer,
@@ -107,7 +106,6 @@ pub(crate) struct LayerFile {
 }
 
 impl LayerFile {
-    /// Returns the path of the input, if it is a file.
     pub(crate) fn path(&self) -> Option<&Path> {
         Some(self.file.as_path()).filter(|path| *path != Path::new("-"))
     }
@@ -140,7 +138,6 @@ impl LayerFile {
         Ok(WithText { name: input.name, layer, text })
     }
 
-    /// Returns the bytes of the file.
     pub(crate) fn bytes(&self) -> Result<Vec<u8>, Failure> {
         let mut input = open_as_it_is(Some(&self.file), None)?;
         let mut bytes = Vec::new();
@@ -171,12 +168,10 @@ pub(crate) struct Cutting {
 }
 
 impl MapFile {
-    /// Returns the path of the input, if it is a file.
     pub(crate) fn path(&self) -> Option<&Path> {
         self.file.as_deref().filter(|path| *path != Path::new("-"))
     }
 
-    /// Returns true if the input is standard input.
     pub(crate) fn is_stdin(&self) -> bool {
         self.file.as_deref() == Some(Path::new("-"))
     }
@@ -224,7 +219,6 @@ impl MapFile {
         self.cutting.snap.is_some()
     }
 
-    /// Returns the options for building the map.
     pub(crate) fn options(&self) -> MapOptions {
         MapOptions { snap: self.cutting.snap, name_from: self.name_from.clone(), allow_empty: self.allow_empty }
     }

@@ -76,7 +76,6 @@ impl Collected {
         if self.size > COLLECTED { self.write() } else { Ok(()) }
     }
 
-    /// Writes the collected features of each tile, and records their positions.
     fn write(&mut self) -> io::Result<()> {
         self.size = 0;
         for (bytes, stretches) in self.tiles.iter_mut().zip(&mut self.stretches).filter(|(bytes, _)| !bytes.is_empty())

@@ -55,7 +55,6 @@ pub(crate) fn print_answer(text: &str) -> Result<(), crate::status::Failure> {
     }
 }
 
-/// Prints a report, unless reports are off.
 pub(crate) fn print(text: &str) -> Result<(), crate::status::Failure> {
     if IS_QUIET.load(Ordering::Relaxed) { Ok(()) } else { print_answer(text) }
 }

@@ -85,7 +85,6 @@ struct Gaps {
 
 struct Judge<'a> {
     cover: &'a Cover<'a>,
-    /// The darts around each face.
     darts: Vec<Vec<u32>>,
     faces: Vec<Vec<u32>>,
 }
@@ -255,7 +254,6 @@ impl<'a> Judge<'a> {
         faces.iter().map(|face| self.cover.areas[*face as usize]).sum()
     }
 
-    /// The darts around a set of faces, with the set to their left.
     fn border(&self, faces: &[u32], inside: &FxHashSet<u32>) -> Vec<u32> {
         let around = faces.iter().flat_map(|face| self.darts[*face as usize].iter().copied());
         around.filter(|dart| !inside.contains(&self.cover.map.face(dart ^ 1))).collect()

@@ -238,7 +238,6 @@ impl Making {
     }
 }
 
-/// Sorts two numbers.
 pub(crate) fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
     [a.min(b), a.max(b)]
 }

@@ -95,7 +95,6 @@ impl Network {
         number
     }
 
-    /// Returns the arcs with the north pole inside.
     fn over_the_pole(&self) -> Vec<u32> {
         let is_over = |ends: &[u32; 2]| {
             let [a, b] = ends.map(|end| self.at(end));
@@ -108,7 +107,6 @@ impl Network {
         (0..).zip(&self.arcs).filter(|(_, ends)| is_over(ends)).map(|(arc, _)| arc).collect()
     }
 
-    /// Returns the places at which to cut arcs.
     fn cuts(&mut self, clashes: &[Clash], numbers: &mut FxHashMap<[u64; 3], u32>) -> FxHashMap<u32, Vec<u32>> {
         let mut cuts: FxHashMap<u32, Vec<u32>> = FxHashMap::default();
         for clash in clashes {

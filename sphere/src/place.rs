@@ -145,7 +145,6 @@ impl Place {
         [libm::atan2(y, x).to_degrees(), libm::atan2(z, libm::hypot(x, y)).to_degrees()]
     }
 
-    /// A key for hash tables.
     pub(crate) fn key(self) -> [u64; 3] {
         self.0.map(f64::to_bits)
     }

@@ -34,6 +34,7 @@ struct Dart {
     face: u32,
 }
 
+/// The error of building the structure.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum SubdivisionError {
@@ -134,7 +135,6 @@ impl Subdivision {
         self.dcel.face_count()
     }
 
-    /// Returns the face to the left of a dart.
     pub(crate) fn face(&self, dart: u32) -> u32 {
         self.darts[dart as usize].face
     }
@@ -166,7 +166,6 @@ impl Subdivision {
         &self.network.polygons[dart as usize / 2]
     }
 
-    /// Returns the cycles of darts.
     pub(crate) fn cycles(&self) -> Vec<Vec<u32>> {
         let mut seen = vec![false; self.darts.len()];
         let mut cycles = Vec::new();

@@ -51,7 +51,6 @@ pub(super) fn shelf_of(path: Option<&Path>, options: ReadOptions, other: NewShel
 }
 
 impl Source {
-    /// Reads the features in a window, with their numbers, in order.
     fn read(&self, window: [Point; 2], each: &mut dyn FnMut(u32, Feature)) -> io::Result<()> {
         let free = || self.free.lock().unwrap_or_else(PoisonError::into_inner);
         let reader = free().pop();

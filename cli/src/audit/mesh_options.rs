@@ -50,7 +50,6 @@ pub(super) struct MeshOptions {
 }
 
 impl MeshOptions {
-    /// Returns true if the options expect anything.
     pub(super) fn is_any(&self) -> bool {
         self.expectation() != HalfEdgeMesh::expectation() || !self.space().is_empty()
     }

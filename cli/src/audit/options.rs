@@ -28,7 +28,6 @@ impl Options {
     const ALL: [Self; 7] =
         [Self::Snap, Self::Coverage, Self::Mesh, Self::Page, Self::Findings, Self::Tiles, Self::Layers];
 
-    /// Returns the options that a kind of input accepts.
     const fn of(kind: InputKind) -> &'static [Self] {
         match kind {
             InputKind::Map => &[Self::Snap, Self::Coverage, Self::Page, Self::Findings, Self::Tiles, Self::Layers],
@@ -72,7 +71,6 @@ impl Options {
 }
 
 impl Audit {
-    /// Refuses options for other kinds of input.
     pub(super) fn refuse_options(&self, kind: InputKind, to: &Destination<'_>, input: &Input) -> Result<(), Failure> {
         // Map formats differ in their options.
         if !matches!(kind, InputKind::Map | InputKind::Arcs) {

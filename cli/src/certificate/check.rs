@@ -49,7 +49,6 @@ impl Check {
     }
 }
 
-/// A line for each failed test.
 pub(super) fn lines(failures: &[FailedTest]) -> String {
     failures.iter().fold(String::new(), |lines, failure| lines + &failure.to_string() + "\n")
 }

@@ -34,7 +34,6 @@ impl Claim {
         }
     }
 
-    /// The second line of the claim.
     pub(super) fn line(&self) -> &'static str {
         match self {
             Self::Plane(folder) if folder.drawing.is_some() => Claimed::Drawing.line(),
@@ -50,7 +49,6 @@ impl Claim {
         }
     }
 
-    /// Writes the claim, followed by these notes.
     pub(super) fn write_claim(&self, folder: &Path, notes: &Notes) -> Result<(), Failure> {
         let claim = format!("{FIRST_LINE}{}{}", self.line(), notes.lines());
         write_file(&folder.join(CLAIM_FILE), claim.as_bytes())

@@ -1,6 +1,5 @@
 //! Notes on a certificate's origin, for people. No checker reads them.
 
-/// Keys and values, in order.
 pub(super) struct Notes(Vec<(&'static str, String)>);
 
 impl Notes {

@@ -115,7 +115,6 @@ impl<const BYTES: usize> Numbered<BYTES> {
     }
 }
 
-/// A column, or none.
 #[derive(Clone, Copy)]
 pub(super) struct PagedColumn<'a>(Option<&'a Numbered<4>>);
 

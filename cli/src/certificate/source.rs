@@ -16,13 +16,11 @@ pub(super) enum Source<'a> {
     Wrong(String),
 }
 
-/// The maximal number of findings to print.
 pub(super) const LIST: usize = 10;
 
 /// Uses the structure in an input that is not a map.
 pub(super) type Use<'a> = &'a dyn Fn(Source<'_>) -> Result<Verdict, Failure>;
 
-/// Reads an input that is not a map.
 pub(super) fn read(input: Input, kind: InputKind, certify: Use<'_>) -> Result<Verdict, Failure> {
     match kind {
         InputKind::Mesh(format) => read_mesh(input, format, certify),

@@ -15,7 +15,6 @@ use twinedge_report::Judged;
 use twinedge_report::clean::{Changes, Patch, Written};
 
 pub(super) struct Cleaned<'a> {
-    /// The number of features in the input.
     pub(super) count: usize,
     /// The text of the input, if it is GeoJSON.
     pub(super) text: Option<(String, Format)>,
@@ -24,7 +23,6 @@ pub(super) struct Cleaned<'a> {
 }
 
 impl Cleaned<'_> {
-    /// Writes the layer, and the patch if requested.
     pub(super) fn write(
         &self,
         input: &LayerFile,

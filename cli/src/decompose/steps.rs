@@ -9,13 +9,11 @@ use twinedge_map::PlanarMap;
 
 /// The maximal number of diagonals.
 const MOST: usize = 2_000;
-/// The longer side of the picture, in pixels.
 const SIZE: f64 = 800.0;
 /// The seconds before the first diagonal is looked at, and between two diagonals.
 const BEFORE: f64 = 2.0;
 const STEP: f64 = 0.6;
 
-/// The reason why there is no picture.
 #[derive(Debug, thiserror::Error)]
 pub(super) enum StepsError {
     #[error(transparent)]

@@ -133,7 +133,6 @@ fn write(path: &Path, contents: &[u8]) -> Result<(), Failure> {
     fs::write(path, contents).map_err(failed)
 }
 
-/// Returns reproducible bytes without a pattern.
 fn noise(seed: u64, count: usize) -> Vec<u8> {
     let mut state = seed;
     let mut byte = || {

@@ -2,7 +2,6 @@
 
 use tempfile::NamedTempFile;
 
-/// Ways with their roles.
 pub(crate) type Members = Vec<(i64, &'static str)>;
 
 /// The elements of a file.
@@ -52,7 +51,6 @@ impl File {
         self.relations.push((id, level, name, members.to_vec()));
     }
 
-    /// Writes a file.
     pub(crate) fn written(&self) -> NamedTempFile {
         let file = NamedTempFile::new().unwrap();
         std::fs::write(file.path(), self.bytes()).unwrap();
@@ -129,7 +127,6 @@ fn differences(numbers: impl Iterator<Item = i64>) -> impl Iterator<Item = u64> 
     numbers.map(move |number| zigzag(number - std::mem::replace(&mut before, number)))
 }
 
-/// A message of protocol buffers.
 #[derive(Default)]
 struct Message(Vec<u8>);
 

@@ -15,7 +15,6 @@ pub(crate) fn from_bytes(bytes: &[u8]) -> Result<Layer, ReadError> {
     read_layer(&mut bytes, None, &ReadOptions::default())
 }
 
-/// Writes a layer as GeoJSON.
 pub(crate) fn to_geojson(layer: &Layer) -> String {
     let mut text = Vec::new();
     write(layer, &mut text, Format::GeoJson).unwrap();

@@ -8,7 +8,6 @@ use twinedge_formats::io::{ReadError, ReadSummary, geojson};
 struct Repeated<'a> {
     head: &'a [u8],
     part: &'a [u8],
-    /// The number of repetitions left.
     left: usize,
     tail: &'a [u8],
 }

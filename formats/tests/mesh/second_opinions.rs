@@ -9,7 +9,6 @@ use quickcheck::{Gen, QuickCheck};
 use std::io::Cursor;
 use twinedge_formats::mesh::{IndexedMesh, read_bytes};
 
-/// The places around each face.
 fn places(mesh: &IndexedMesh) -> Vec<Vec<[f64; 3]>> {
     mesh.faces().map(|face| face.iter().map(|v| mesh.points()[*v as usize]).collect()).collect()
 }

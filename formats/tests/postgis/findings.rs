@@ -12,7 +12,6 @@ fn changed(change: impl FnOnce(&mut Rows)) -> TopologyAudit {
     rows.audit()
 }
 
-/// The rules that are broken.
 fn broken(audit: &TopologyAudit) -> Vec<&'static str> {
     audit.rules().iter().filter(|rule| rule.violations > 0).map(|rule| rule.id).collect()
 }

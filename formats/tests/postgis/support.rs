@@ -16,7 +16,6 @@ pub(crate) type Row = Vec<Option<Vec<u8>>>;
 /// A named change of the rows.
 pub(crate) type Change = (&'static str, fn(&mut Rows));
 
-/// The rows of the three tables.
 #[derive(Clone)]
 pub(crate) struct Rows(pub(crate) [Vec<Row>; 3]);
 
@@ -24,7 +23,6 @@ pub(crate) const NODE: usize = 0;
 pub(crate) const FACE: usize = 1;
 pub(crate) const EDGE: usize = 2;
 
-/// Columns of edges.
 pub(crate) const START: usize = 1;
 pub(crate) const END: usize = 2;
 pub(crate) const NEXT_LEFT: usize = 3;
@@ -81,7 +79,6 @@ impl Rows {
         audit(&self.read(), 100).expect("there is memory")
     }
 
-    /// Returns the row of a table with this id of 4 bytes.
     pub(crate) fn row(&mut self, table: usize, id: i32) -> &mut Row {
         let found = self.0[table].iter_mut().find(|row| row[0] == int(id));
         found.expect("there is such a row")

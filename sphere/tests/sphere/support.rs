@@ -4,12 +4,10 @@ use twinedge_geometry::Point;
 use twinedge_map::{Feature, Shape};
 use twinedge_sphere::Place;
 
-/// Creates a feature of one shape.
 pub(crate) fn feature(shape: Shape) -> Feature {
     Feature { shapes: vec![shape], ..Feature::default() }
 }
 
-/// Returns the place at a longitude and latitude.
 pub(crate) fn at(longitude: f64, latitude: f64) -> Place {
     Place::new(longitude, latitude).expect("it is one")
 }
@@ -30,13 +28,11 @@ pub(crate) fn mirrored(features: &[Feature], x: f64, y: f64) -> Vec<Feature> {
 pub(crate) struct Numbers(pub(crate) u64);
 
 impl Numbers {
-    /// Returns the next number below a bound.
     pub(crate) fn below(&mut self, bound: usize) -> usize {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 33) as usize % bound
     }
 
-    /// Returns the next number from 0 to 1.
     pub(crate) fn fraction(&mut self) -> f64 {
         self.below(1 << 30) as f64 / f64::from(1 << 30)
     }

@@ -4,7 +4,6 @@ use crate::certificate::folder::{Claim, Folder};
 use twinedge::validate::View;
 use twinedge_certificate::{Certificate, Column, Drawing, Labels, VACANT};
 
-/// A table: its name and its columns, which have equal lengths.
 pub(super) struct Table<'a> {
     pub(super) name: &'static str,
     pub(super) columns: Vec<TableColumn<'a>>,
