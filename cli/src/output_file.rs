@@ -27,7 +27,7 @@ pub(crate) fn write_files<'a>(
 ) -> Result<(), Failure> {
     let failed = |error: std::io::Error| {
         let text = error.to_string();
-        // The message at the end names a folder that could not be created.
+        // Drops the name of the temporary folder at the end of the error.
         let cause = text.split_once(" at path ").map_or(text.as_str(), |(cause, _)| cause);
         Failure(format!("{}: {cause}", path.display()))
     };

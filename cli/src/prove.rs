@@ -119,7 +119,7 @@ impl Text<'_> {
         self.0.shard.is_whole() && !self.0.interrupted
     }
 
-    /// Formats a number, with the published number if everything was counted.
+    /// Formats a count, with the published number if everything was counted and the two differ.
     fn beside(&self, found: u64, published: u64) -> String {
         if found == published || !self.is_comparable() {
             grouped(found)

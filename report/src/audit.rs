@@ -163,7 +163,7 @@ pub fn audit_layer(
     stage: &mut dyn FnMut(&'static str),
 ) -> Result<Audited, Error> {
     let mut map = options.map.clone();
-    // If the reader found something, a layer without polygons is still valid input.
+    // A layer without polygons is an error only if the reader found nothing.
     let OfReader { rules, findings, option: (option, value) } = of_reader;
     let found = rules.iter().map(|rule| rule.violations).sum::<u64>();
     map.allow_empty |= found > 0;

@@ -50,7 +50,7 @@ fn place(one: &Crossing) -> Point {
     match one.kind {
         CrossingKind::Cross if part.is_finite() => Point::new(a.x + part * along[0], a.y + part * along[1]),
         CrossingKind::Touch => a,
-        // The second end of two overlapping edges lies on both.
+        // In sorted order, the second of the ends of two overlapping edges lies on both.
         _ => {
             let mut ends = [a, b, c, d];
             ends.sort_by(|p, q| p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)));

@@ -23,6 +23,7 @@ pub(crate) const NODE: usize = 0;
 pub(crate) const FACE: usize = 1;
 pub(crate) const EDGE: usize = 2;
 
+/// The columns of edges.
 pub(crate) const START: usize = 1;
 pub(crate) const END: usize = 2;
 pub(crate) const NEXT_LEFT: usize = 3;

@@ -36,7 +36,7 @@ pub struct Cleaning<'a> {
     pub written: Option<&'a Written>,
     /// The width from which gaps are accepted.
     greatest_gap: Option<f64>,
-    /// True if the program chose the width of gaps.
+    /// True for `--gap-width auto`.
     chooses_width: bool,
     tiles: Option<ToldTiles>,
     /// The file that undoes the cleaning.

@@ -124,7 +124,7 @@ impl Cleaning<'_> {
         }
     }
 
-    /// The width up to which gaps were filled, if the program chose it.
+    /// The width up to which gaps were filled, for `--gap-width auto`.
     fn width(&self) -> String {
         let text = match self.report.chosen {
             Some(ChosenWidth { width, gaps, next, .. }) => {
