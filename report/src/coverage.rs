@@ -274,7 +274,7 @@ impl Coverage {
         self.total() - self.findings.iter().filter(|one| one.accepted.is_some()).count()
     }
 
-    /// The found and unaccepted causes by rule, and the number of unchecked rules, in words; `None` if there are neither.
+    /// The unaccepted causes by rule, in words, and "not checked" if only C6 was checked; `None` if there is neither.
     pub(crate) fn outcome_in_words(&self) -> Option<String> {
         let of_rule = |(rule, count)| {
             let listed = self.findings.iter().filter(|one| one.rule == Some(CoverageRule::id(rule)));
