@@ -88,33 +88,33 @@ impl From<Target> for Format {
 }
 
 impl LayerOutput {
-    /// Returns true if something is to be written.
+    /// Returns true if an output is requested.
     pub(crate) const fn is_given(&self) -> bool {
         self.output.is_some()
     }
 
-    /// Returns true if the layer goes to standard output, which then has room for nothing else.
+    /// Returns true if the layer goes to standard output, which then takes nothing else.
     pub(crate) fn is_stdout(&self) -> bool {
         self.output.as_deref() == Some(Path::new("-"))
     }
 
-    /// Refuses a layer that cannot be written as it was asked for, before any work is done.
+    /// Refuses a layer that cannot be written as requested, before any work is done.
     pub(crate) fn refuse(&self, layer: &Layer) -> Result<(), Failure> {
         self.output.as_deref().map_or(Ok(()), |path| self.prepared(layer, path).map(drop))
     }
 
-    /// The path that was asked for, if it is that of a file.
+    /// Returns the requested path, if it is a file.
     pub(crate) fn path(&self) -> Option<&Path> {
         self.output.as_deref().filter(|path| *path != Path::new("-"))
     }
 
-    /// The format, as far as it was said.
+    /// Returns the format, as far as the options tell it.
     pub(crate) fn format(&self) -> Option<Format> {
         let of_path = self.output.as_deref().and_then(Format::of_path);
         self.to.map(Format::from).or(of_path).or_else(|| self.is_stdout().then_some(Format::GeoJson))
     }
 
-    /// The file that is written, or the main one of several.
+    /// Returns the output file, or the main one of several.
     pub(crate) fn main_file(&self) -> Option<PathBuf> {
         self.path().map(|path| match self.format() {
             Some(Format::Shapefile) => path.with_extension("shp"),
@@ -122,7 +122,7 @@ impl LayerOutput {
         })
     }
 
-    /// The layer as it is written to this path, and the format.
+    /// Returns the layer as written to this path, and the format.
     fn prepared<'a>(&self, layer: &'a Layer, path: &Path) -> Result<(Cow<'a, Layer>, Format), Failure> {
         let name = path.display();
         let format = self
@@ -148,7 +148,6 @@ impl LayerOutput {
         Ok((layer, format))
     }
 
-    /// Refuses to write over another input.
     pub(crate) fn refuse_input(&self, input: &Path) -> Result<(), Failure> {
         match self.output.as_deref() {
             Some(output) if is_same_file(output, input).unwrap_or(false) => {
@@ -158,7 +157,7 @@ impl LayerOutput {
         }
     }
 
-    /// Writes a text that is a layer in this format. None if no file was asked for.
+    /// Writes the text of a layer in this format. Returns `None` if no file is requested.
     pub(crate) fn write_text(
         &self,
         text: &str,
@@ -173,7 +172,6 @@ impl LayerOutput {
         Ok(Some(Written { name: path.display().to_string(), format }))
     }
 
-    /// Refuses to write another format than this one.
     pub(crate) fn refuse_other(&self, format: Format) -> Result<(), Failure> {
         let of_path = self.path().and_then(Format::of_path);
         match self.to.map(Format::from).or(of_path).filter(|asked| *asked != format) {
@@ -185,7 +183,7 @@ impl LayerOutput {
         }
     }
 
-    /// Writes what is written bit by bit, in this format. None if no file was asked for.
+    /// Writes a layer piece by piece in this format. Returns `None` if no file is requested.
     pub(crate) fn write_with(
         &self,
         format: Format,
@@ -204,7 +202,7 @@ impl LayerOutput {
         Ok(Some(Written { name: path.display().to_string(), format }))
     }
 
-    /// Writes a layer, and warns of what is lost. None if no file was asked for.
+    /// Writes a layer, and warns about lost parts. Returns `None` if no file is requested.
     pub(crate) fn write(&self, layer: &Layer, input: Option<&Path>) -> Result<Option<Written>, Failure> {
         let Some(path) = self.output.as_deref() else { return Ok(None) };
         let (layer, format) = self.prepared(layer, path)?;
@@ -214,7 +212,7 @@ impl LayerOutput {
             let mut out = BufWriter::new(std::io::stdout().lock());
             let written = write(&layer, &mut out, format).map_err(failed);
             match written.and_then(|()| Ok(out.flush()?)) {
-                // That nobody reads on is no error.
+                // A closed pipe is not an error.
                 Err(Failure(message)) if message.contains("Broken pipe") => {}
                 other => other?,
             }
@@ -247,7 +245,7 @@ impl Convert {
         Ok(Verdict::Sound)
     }
 
-    /// Reads boundaries, and warns if what is wrong with their relations makes polygons wrong.
+    /// Reads boundaries, and warns if errors in their relations make polygons invalid.
     fn boundaries(&self, tags: &TagFilter) -> Result<(String, Layer), Failure> {
         let path = self.input.path();
         let path = path.ok_or_else(|| Failure("--boundaries: a file .osm.pbf is needed".to_owned()))?;

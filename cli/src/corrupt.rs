@@ -81,7 +81,6 @@ pub(crate) struct Corrupt {
     format: Format,
 }
 
-/// Corrupting the tables of a structure of any type.
 struct Corrupting<'a> {
     work: CorruptWork,
     checker: &'a dyn Checker,
@@ -111,7 +110,7 @@ impl Corrupt {
             if self.print { printer.finish(&document.text()) } else { document.print(self.format) }
         };
         let hangs = |outcome: &CorruptOutcome| {
-            // The thread that hangs cannot be stopped. What was found is printed, if that is possible.
+            // The hanging thread cannot be stopped. Print the findings so far, if possible.
             let _ = print(&Document::new(outcome.clone(), start));
             std::process::exit(1);
         };
@@ -130,7 +129,6 @@ impl Printed for CorruptOutcome {
     }
 }
 
-/// The outcome for people.
 struct Text<'a>(&'a CorruptOutcome, f64);
 
 impl fmt::Display for Text<'_> {

@@ -1,4 +1,4 @@
-//! The options by which a coverage is judged.
+//! The options for judging a coverage.
 
 use twinedge_coverage::Limits;
 use twinedge_geometry::Point;
@@ -49,16 +49,16 @@ pub(crate) struct AcceptedGaps {
     pub(crate) accept_gap: Vec<Point>,
 }
 
-/// A point on the command line.
+/// Parses a point on the command line.
 fn place(text: &str) -> Result<Point, String> {
     let number = |text: &str| text.trim().parse().ok().filter(|x| f64::is_finite(*x));
-    // As reports print it, too.
+    // Accept the form printed in reports as well.
     let text = text.trim().trim_start_matches('(').trim_end_matches(')');
     let point = text.split_once(',').and_then(|(x, y)| Some(Point::new(number(x)?, number(y)?)));
     point.ok_or_else(|| "not a point: two numbers with a comma between".to_owned())
 }
 
-/// A positive number on the command line.
+/// Parses a positive number on the command line.
 pub(crate) fn positive(text: &str) -> Result<f64, String> {
     text.parse().ok().filter(|x| *x > 0.0 && f64::is_finite(*x)).ok_or_else(|| "not a positive number".to_owned())
 }
@@ -68,7 +68,7 @@ impl CoverageArguments {
         self.coverage || self.limits.is_any()
     }
 
-    /// The limits, and if findings make a map invalid.
+    /// The limits, and whether findings make a map invalid.
     pub(crate) fn options(&self) -> CoverageOptions {
         CoverageOptions { is_rule: self.coverage, limits: self.limits.limits() }
     }
@@ -80,7 +80,6 @@ impl LimitArguments {
         self.gap_width.is_some() || lake_width.is_some() || self.sliver.is_some() || !accept_gap.is_empty()
     }
 
-    /// The limits.
     pub(crate) fn limits(&self) -> Limits {
         Limits {
             gap_width: self.gap_width,

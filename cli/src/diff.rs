@@ -1,4 +1,4 @@
-//! `twinedge diff`: what a report has that an older one has not.
+//! `twinedge diff`: the differences between two reports.
 
 use crate::output::style::{BAD, GOOD, QUIET};
 use crate::output::{Format, grouped, plain, print, print_json};
@@ -70,7 +70,6 @@ fn read(path: &Path) -> Result<Compared, Failure> {
     Compared::new(&report).map_err(named(&name))
 }
 
-/// A finding as a report has it, in a line.
 fn line(one: &Value) -> String {
     let name = |feature: &Value| match feature {
         Value::String(name) => name.clone(),

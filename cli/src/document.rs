@@ -1,4 +1,4 @@
-//! The JSON that the long commands print and `twinedge sum` reads.
+//! The JSON printed by the long commands and read by `twinedge sum`.
 
 use crate::output::style::BAD;
 use crate::output::{Format, part_line, print, print_json};
@@ -8,28 +8,26 @@ use serde::{Deserialize, Serialize};
 use std::time::Instant;
 use twinedge_trials::Outcome;
 
-/// The document that a long command prints.
+/// A document printed by a long command.
 pub(crate) trait Printed: Outcome + Serialize + DeserializeOwned {
-    /// The name of the command.
     const COMMAND: &'static str;
 
-    /// The entries that only this command has.
+    /// The entries specific to the command.
     type Extra: Default + Serialize + DeserializeOwned;
 
-    /// The outcome for people.
     fn text(&self, extra: &Self::Extra, seconds: f64) -> String;
 
-    /// Returns true if something is wrong, even if the run was interrupted.
+    /// Returns true if the outcome has errors, even if the run was interrupted.
     fn is_wrong(&self) -> bool {
         !self.is_interrupted() && !self.is_ok()
     }
 }
 
-/// Nothing besides.
+/// No further entries.
 #[derive(Debug, Default, Serialize, Deserialize)]
 pub(crate) struct Nothing {}
 
-/// An outcome, with all that identifies the work.
+/// An outcome, with everything that identifies the work.
 #[derive(Serialize, Deserialize)]
 #[serde(bound = "")]
 pub(crate) struct Document<O: Printed> {
@@ -69,7 +67,6 @@ impl<O: Printed> Document<O> {
         interrupted + &part_line(self.outcome.shard()) + &text
     }
 
-    /// Prints it to standard output.
     pub(crate) fn print(&self, format: Format) -> Result<(), Failure> {
         match format {
             Format::Text => print(&self.text()),

@@ -14,7 +14,7 @@ use twinedge_geometry::Point;
 use twinedge_map::{PlanarMap, validate_embedding};
 use twinedge_report::Imported;
 
-/// With `--detail`, a picture of more half-edges than this is not legible.
+/// The maximal number of half-edges that are legible with `--detail`.
 const LEGIBLE: usize = 1_000;
 
 /// Draw a map as SVG: its faces, its edges, and in red what breaks a rule.
@@ -67,7 +67,7 @@ pub(crate) struct Draw {
     list: usize,
 }
 
-/// The least and the greatest coordinates of all vertices. None if there is no vertex.
+/// Returns the least and the greatest coordinates of all vertices; `None` if there is no vertex.
 fn extent(map: &PlanarMap) -> Result<Option<[Point; 2]>, Failure> {
     let mut extent: Option<[Point; 2]> = None;
     for vertex in map.dcel().vertices() {
@@ -78,7 +78,7 @@ fn extent(map: &PlanarMap) -> Result<Option<[Point; 2]>, Failure> {
     Ok(extent)
 }
 
-/// Refuses a window in which nothing of the map lies: the picture would be empty.
+/// Refuses a window that misses the map: the picture would be empty.
 fn refuse_outside(name: &str, [a, b]: [Point; 2], [low, high]: [Point; 2]) -> Result<(), Failure> {
     let is_apart = |a: f64, b: f64, low: f64, high: f64| a.max(b) < low || a.min(b) > high;
     if is_apart(a.x, b.x, low.x, high.x) || is_apart(a.y, b.y, low.y, high.y) {

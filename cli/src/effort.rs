@@ -1,4 +1,4 @@
-//! The options that the long commands share: threads, the part of the work, and how much work is too much.
+//! The options shared by the long commands: threads, the part of the work, and the limit on the amount of work.
 
 use crate::output::{Format, grouped, print_json};
 use crate::progress;
@@ -30,10 +30,10 @@ struct Refusal<'a> {
 }
 
 impl Effort {
-    /// The longest time without `--force`.
+    /// The maximal time without `--force`.
     const MOST_SECONDS: u128 = 30 * 60;
 
-    /// The options of the engines, with progress bars and until Ctrl-C.
+    /// Returns the options of the engines, with progress bars and a stop on Ctrl-C.
     pub(crate) fn start(&self) -> Result<Run<'static>, Failure> {
         progress::stop_on_interrupt()?;
         Ok(Run::default().threads(self.threads()).shard(self.shard).progress(&progress::BARS))
@@ -43,8 +43,8 @@ impl Effort {
         self.threads.map_or_else(cores, usize::from)
     }
 
-    /// Refuses work that takes too long, unless it is forced. More threads than cores do not make it faster. With JSON the
-    /// refusal is printed as well, so that scripts can tell it from misuse.
+    /// Refuses work that takes too long, unless it is forced. More threads than cores are no faster. With JSON the refusal is also printed, so that
+    /// scripts can tell it from misuse.
     pub(crate) fn refuse_too_much(&self, estimate: Estimate, format: Format) -> Result<(), Failure> {
         if self.force || self.seconds(estimate) <= Self::MOST_SECONDS {
             return Ok(());
@@ -60,12 +60,11 @@ impl Effort {
         Err(Failure(refused))
     }
 
-    /// Says the estimate on standard error.
     pub(crate) fn say(&self, estimate: Estimate) {
         eprintln!("estimated: {}", self.said(estimate));
     }
 
-    /// The amount and the time of this part.
+    /// The amount and the time of this part, in words.
     fn said(&self, estimate: Estimate) -> String {
         let amount = estimate.amount / u128::from(self.shard.count());
         let amount = u64::try_from(amount).map_or_else(|_| format!("{:.1e}", amount as f64), grouped);
@@ -76,7 +75,7 @@ impl Effort {
         estimate.seconds(self.threads().clamp(1, cores()), self.shard)
     }
 
-    /// Refuses parts of work with a random seed: each part would have another one.
+    /// Refuses parts of work with a random seed, because each part would have a different seed.
     pub(crate) fn needs_seed(&self, seed: Option<u64>) -> Result<(), Failure> {
         match seed {
             None if !self.shard.is_whole() => {
@@ -87,12 +86,10 @@ impl Effort {
     }
 }
 
-/// The number of threads that the machine runs at once.
 fn cores() -> usize {
     std::thread::available_parallelism().map_or(1, Into::into)
 }
 
-/// A time in words.
 fn about(seconds: u128) -> String {
     match seconds {
         0..=119 => format!("about {seconds} seconds"),

@@ -1,9 +1,9 @@
-//! The format that the extension of an output file says.
+//! The format named by the extension of an output file.
 
 use crate::status::Failure;
 use std::path::Path;
 
-/// The format of a file by its extension, of those that the command writes; none without extension. Another extension is refused.
+/// Returns the format for a file's extension; `None` without an extension. An extension that the command does not write is refused.
 pub(crate) fn format_of<F: Copy>(path: Option<&Path>, known: &[(&str, F)]) -> Result<Option<F>, Failure> {
     let Some((path, extension)) = path.and_then(|path| Some((path, path.extension()?))) else { return Ok(None) };
     if let Some((_, format)) = known.iter().find(|(name, _)| extension.eq_ignore_ascii_case(name)) {

@@ -1,4 +1,4 @@
-//! Reading a map from a file or from standard input, or the built-in map.
+//! Reading a map from a file or from standard input, or using the built-in map.
 
 use crate::progress::busy;
 use crate::status::{Failure, named};
@@ -15,10 +15,10 @@ use twinedge_report::{Imported, Input, Judged, Keep, MapOptions};
 const EMBEDDED: &[u8] = include_bytes!("../data/world-110m.geojson");
 const EMBEDDED_NAME: &str = "world-110m.geojson (built in)";
 
-/// The bytes that tell an archive.
+/// The number of bytes that identify an archive.
 const MAGIC: usize = 4;
 
-/// Opens a file, standard input where the path is `-`, or the built-in map where there is none. Of an archive, what is in it is opened.
+/// Opens a file, standard input if the path is `-`, or the built-in map without a path. If the file is an archive, opens its content.
 pub(crate) fn open(path: Option<&Path>, layer: Option<&str>) -> Result<Input, Failure> {
     let mut input = open_as_it_is(path, layer)?;
     let head: Vec<u8> = input.beginning()?.iter().copied().take(MAGIC).collect();
@@ -27,7 +27,7 @@ pub(crate) fn open(path: Option<&Path>, layer: Option<&str>) -> Result<Input, Fa
         return Ok(input);
     };
     let inner = open_as_it_is(Some(&unpacked.path), unpacked.layer.as_deref())?;
-    // The folder goes when this is dropped.
+    // Dropping this deletes the folder.
     Ok(Input { name: input.name, kept: Some(Box::new(unpacked)), ..inner })
 }
 
@@ -52,7 +52,7 @@ fn open_as_it_is(path: Option<&Path>, layer: Option<&str>) -> Result<Input, Fail
     Ok(Input { layer: layer.map(str::to_owned), ..input })
 }
 
-/// A bar on standard error, if that is a terminal.
+/// A progress bar on standard error, if that is a terminal.
 fn progress(bytes: u64) -> ProgressBar {
     let bar = ProgressBar::new(bytes);
     if let Ok(style) = ProgressStyle::with_template("reading {bar:40} {bytes}/{total_bytes}, {eta} left") {
@@ -86,13 +86,10 @@ pub(crate) struct MapFile {
     allow_empty: bool,
 }
 
-/// A layer that was read.
 pub(crate) struct WithText {
-    /// The name of the input.
     pub(crate) name: String,
-    /// The layer.
     pub(crate) layer: Layer,
-    /// The text and its format, if it is GeoJSON.
+    /// The text and its format, if the layer is GeoJSON.
     pub(crate) text: Option<(String, Format)>,
 }
 
@@ -109,23 +106,22 @@ pub(crate) struct LayerFile {
 }
 
 impl LayerFile {
-    /// The path of the input, if it is a file.
     pub(crate) fn path(&self) -> Option<&Path> {
         Some(self.file.as_path()).filter(|path| *path != Path::new("-"))
     }
 
-    /// The format of the file, if it is that of a layer and no archive.
+    /// Returns the format of the file, if it is a layer and not an archive.
     pub(crate) fn format(&self) -> Result<Option<Format>, Failure> {
         let mut input = open_as_it_is(Some(&self.file), self.layer.as_deref())?;
         input.map_format().map_err(named(&input.name.clone()))
     }
 
-    /// Reads all of it: the name of the input, and the layer.
+    /// Reads the whole layer. Returns it with the name of the input.
     pub(crate) fn read(&self) -> Result<(String, Layer), Failure> {
         read_file(&self.file, self.layer.as_deref())
     }
 
-    /// Reads all of it, and keeps its text if it is GeoJSON.
+    /// Reads the whole layer, and keeps its text if it is GeoJSON.
     pub(crate) fn read_with_text(&self) -> Result<WithText, Failure> {
         let mut input = open(Some(&self.file), self.layer.as_deref())?;
         let format = input.map_format().map_err(named(&input.name.clone()))?;
@@ -142,7 +138,6 @@ impl LayerFile {
         Ok(WithText { name: input.name, layer, text })
     }
 
-    /// The bytes of it as they are.
     pub(crate) fn bytes(&self) -> Result<Vec<u8>, Failure> {
         let mut input = open_as_it_is(Some(&self.file), None)?;
         let mut bytes = Vec::new();
@@ -151,7 +146,7 @@ impl LayerFile {
     }
 }
 
-/// Reads all of a layer: the name of the input, and the layer.
+/// Reads a whole layer. Returns it with the name of the input.
 pub(crate) fn read_file(path: &Path, layer: Option<&str>) -> Result<(String, Layer), Failure> {
     read_input(open(Some(path), layer)?)
 }
@@ -173,20 +168,17 @@ pub(crate) struct Cutting {
 }
 
 impl MapFile {
-    /// The path of the input, if it is a file.
     pub(crate) fn path(&self) -> Option<&Path> {
         self.file.as_deref().filter(|path| *path != Path::new("-"))
     }
 
-    /// Returns true if it is standard input.
     pub(crate) fn is_stdin(&self) -> bool {
         self.file.as_deref() == Some(Path::new("-"))
     }
 
-    /// The number and SHA-256 of the bytes of the file as it is, or of the built-in map; none of what can be read but once.
+    /// Returns the number and SHA-256 of the bytes of the file or of the built-in map; `None` for an input that can only be read once.
     ///
-    /// The file is read once more for it: some formats are read by their path and not from the start to the end, and of others what
-    /// follows the last record may be left unread.
+    /// This reads the file again: some formats are read by path and not sequentially, and others may leave bytes after the last record unread.
     pub(crate) fn judged(&self) -> Result<Option<Judged>, Failure> {
         Ok(match &self.file {
             None => Some(Judged::of(EMBEDDED)?),
@@ -197,22 +189,20 @@ impl MapFile {
         })
     }
 
-    /// The layer that was asked for.
     pub(crate) fn layer(&self) -> Option<&str> {
         self.layer.as_deref()
     }
 
-    /// Opens the input.
     pub(crate) fn open(&self) -> Result<Input, Failure> {
         open(self.file.as_deref(), self.layer())
     }
 
-    /// Reads the map and builds it. A mesh is refused.
+    /// Reads the map and builds it. Refuses a mesh.
     pub(crate) fn build(&self) -> Result<Imported, Failure> {
         self.build_keeping(Keep::default())
     }
 
-    /// Reads the map, builds it and keeps what is asked for. A mesh is refused.
+    /// Reads the map, builds it and keeps the requested notes. Refuses a mesh.
     pub(crate) fn build_keeping(&self, keep: Keep<'_>) -> Result<Imported, Failure> {
         let mut input = self.open()?;
         let name = input.name.clone();
@@ -224,29 +214,28 @@ impl MapFile {
         self.build_from(input, keep)
     }
 
-    /// Returns true if segments are to be cut.
+    /// Returns true if segments are cut.
     pub(crate) const fn is_snapped(&self) -> bool {
         self.cutting.snap.is_some()
     }
 
-    /// The way to build the map.
     pub(crate) fn options(&self) -> MapOptions {
         MapOptions { snap: self.cutting.snap, name_from: self.name_from.clone(), allow_empty: self.allow_empty }
     }
 
-    /// Builds the map that was opened.
+    /// Builds the map of an open input.
     pub(crate) fn build_from(&self, input: Input, keep: Keep<'_>) -> Result<Imported, Failure> {
         let name = input.name.clone();
         busy(|stage| Imported::read(input, &self.options(), keep, stage)).map_err(named(&name))
     }
 }
 
-/// The argument of `--list` and the like.
+/// Parses the argument of `--list` and similar options.
 pub(crate) fn whole(text: &str) -> Result<usize, String> {
     text.parse().map_err(|_| "not a whole number".to_owned())
 }
 
-/// A number of bytes, as `4096`, `64K`, `256M` or `2G`.
+/// Parses a number of bytes, such as `4096`, `64K`, `256M` or `2G`.
 pub(crate) fn size(text: &str) -> Result<u64, String> {
     let in_units =
         [("K", 10), ("M", 20), ("G", 30)].into_iter().find_map(|(unit, shift)| Some((text.strip_suffix(unit)?, shift)));
@@ -255,7 +244,7 @@ pub(crate) fn size(text: &str) -> Result<u64, String> {
     bytes.ok_or_else(|| "a number, or one with K, M or G behind it, as in 256M".to_owned())
 }
 
-/// The argument of `--snap`.
+/// Parses the argument of `--snap`.
 pub(crate) fn snap(text: &str) -> Result<Snap, String> {
     if text == "auto" {
         return Ok(Snap::Auto);

@@ -1,6 +1,6 @@
-//! The `twinedge` program: builds and audits planar maps, and tests the structures that keep them.
+//! The `twinedge` program: builds and audits planar maps, and tests the structures that store them.
 //!
-//! Arguments, text, JSON, progress bars and Ctrl-C are here. The tests themselves are in the crate `twinedge-trials`.
+//! This crate handles arguments, text, JSON, progress bars and Ctrl-C. The tests are in the crate `twinedge-trials`.
 
 mod audit;
 mod certificate;

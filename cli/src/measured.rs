@@ -1,4 +1,4 @@
-//! The option by which lengths are those along the earth.
+//! The option for lengths along the earth.
 
 use crate::status::{Failure, named};
 use twinedge_report::{Imported, Units};
@@ -13,12 +13,11 @@ pub(crate) struct Measured {
 }
 
 impl Measured {
-    /// Returns true if lengths and areas are those along the earth.
+    /// Returns true if lengths and areas are measured along the earth.
     pub(crate) const fn is_geodesic(&self) -> bool {
         self.geodesic
     }
 
-    /// The units for a map.
     pub(crate) fn units(&self, imported: &Imported) -> Result<Units, Failure> {
         Units::of(imported, self.geodesic).map_err(named(&imported.name))
     }

@@ -1,4 +1,4 @@
-//! Shelves for the features of a map; on disk, tile by tile, for maps that are larger than memory.
+//! Shelves for the features of a map: in memory, or on disk by tile for maps larger than memory.
 
 use std::borrow::Cow;
 use std::fs::File;
@@ -8,25 +8,24 @@ use twinedge_geometry::Point;
 use twinedge_map::{Feature, Shape};
 use twinedge_report::{Division, InMemory, Shelf};
 
-/// The number of bytes that are collected before they are written.
+/// The number of bytes to collect before writing.
 const COLLECTED: usize = 32 << 20;
 
 const POLYGON: u8 = 0;
 const LINE: u8 = 1;
 const POINT: u8 = 2;
 
-/// Features in files without name, which go with the program however it ends: first one after the other, then those of each tile in stretches.
+/// Features in unnamed files, which disappear when the program ends: first sequentially, then the features of each tile in stretches.
 pub(crate) struct OnDisk {
     all: BufWriter<File>,
     by_tiles: Mutex<File>,
-    /// Of each tile the stretches of the file: where they start, and how long they are.
+    /// The stretches of the file for each tile, as offset and length.
     stretches: Vec<Vec<(u64, usize)>>,
 }
 
-/// Makes an empty shelf.
 pub(crate) type NewShelf = fn() -> io::Result<Box<dyn Shelf>>;
 
-/// The shelf for a division: on disk if memory is short.
+/// Returns the shelf for a division: on disk if memory is limited.
 pub(crate) fn shelf_for(division: Division) -> NewShelf {
     match division {
         Division::Within(_) => || Ok(Box::new(OnDisk::new()?)),
@@ -35,13 +34,13 @@ pub(crate) fn shelf_for(division: Division) -> NewShelf {
 }
 
 impl OnDisk {
-    /// Nothing yet, in the folder for temporary files.
+    /// Creates an empty shelf in the folder for temporary files.
     pub(crate) fn new() -> io::Result<Self> {
         let all = BufWriter::new(tempfile::tempfile()?);
         Ok(Self { all, by_tiles: Mutex::new(tempfile::tempfile()?), stretches: Vec::new() })
     }
 
-    /// Shows all features in order, each with its bytes.
+    /// Calls `show` for each feature in order, with its bytes.
     fn read_all(&mut self, show: &mut dyn FnMut(&Feature, &[u8]) -> io::Result<()>) -> io::Result<()> {
         self.all.flush()?;
         let mut reader = BufReader::new(self.all.get_ref());
@@ -54,7 +53,7 @@ impl OnDisk {
     }
 }
 
-/// The features of each tile that are not written yet, and the file to which they are.
+/// The unwritten features of each tile, and the file to write them to.
 struct Collected {
     tiles: Vec<Vec<u8>>,
     size: usize,
@@ -69,7 +68,7 @@ impl Collected {
         Ok(Self { tiles, size: 0, file: tempfile::tempfile()?, end: 0, stretches })
     }
 
-    /// Adds a feature to a tile, and writes all that was collected if it is too much.
+    /// Adds a feature to a tile, and writes everything collected if it is too much.
     fn add(&mut self, tile: usize, number: u32, bytes: &[u8]) -> io::Result<()> {
         self.tiles[tile].extend(number.to_le_bytes());
         self.tiles[tile].extend(bytes);
@@ -77,7 +76,6 @@ impl Collected {
         if self.size > COLLECTED { self.write() } else { Ok(()) }
     }
 
-    /// Writes what was collected for each tile, and notes where.
     fn write(&mut self) -> io::Result<()> {
         self.size = 0;
         for (bytes, stretches) in self.tiles.iter_mut().zip(&mut self.stretches).filter(|(bytes, _)| !bytes.is_empty())
@@ -113,7 +111,7 @@ impl Shelf for OnDisk {
         })?;
         collected.write()?;
         let Collected { file, stretches, .. } = collected;
-        // The room of the file before is free again.
+        // This frees the space of the previous file.
         *self = Self { by_tiles: Mutex::new(file), stretches, ..Self::new()? };
         Ok(())
     }
@@ -137,7 +135,7 @@ impl Shelf for OnDisk {
     }
 }
 
-/// The shapes of a feature. Numbers are little-endian.
+/// Encodes the shapes of a feature; numbers are little-endian.
 fn bytes(feature: &Feature) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     put_length(feature.shapes.len(), &mut bytes)?;
@@ -236,7 +234,7 @@ mod tests {
         let mut seen = Vec::new();
         shelf.each(&mut |feature| seen.push(feature.clone())).expect("it was written");
         assert_eq!(seen, features);
-        // The first in two tiles, the second in none.
+        // The first feature is in two tiles, the second in none.
         let tiles_of = |feature: &Feature| match feature.shapes.len() {
             3 => vec![0, 2],
             2 => vec![2],

@@ -1,4 +1,4 @@
-//! Numbers, text and JSON as the commands print them.
+//! Output of numbers, text and JSON.
 
 use clap::{ColorChoice, ValueEnum};
 use std::io::{self, Write};
@@ -16,15 +16,13 @@ pub(crate) enum Format {
     Json,
 }
 
-/// True if no report is to be printed.
+/// True if reports are not printed.
 static IS_QUIET: AtomicBool = AtomicBool::new(false);
 
-/// Turns reports off, or on.
 pub(crate) fn set_quiet(quiet: bool) {
     IS_QUIET.store(quiet, Ordering::Relaxed);
 }
 
-/// Turns colours on or off.
 pub(crate) fn set_color(choice: ColorChoice) {
     match choice {
         ColorChoice::Auto => anstream::ColorChoice::Auto,
@@ -34,13 +32,13 @@ pub(crate) fn set_color(choice: ColorChoice) {
     .write_global();
 }
 
-/// A number that should be 0, marked if it is not.
+/// Formats a number that should be 0, marked if it is not.
 pub(crate) fn zero(found: u64) -> String {
     use style::BAD;
     if found == 0 { "0".to_owned() } else { format!("{BAD}{}{BAD:#}", grouped(found)) }
 }
 
-/// A line that says which part of the work was done; none if it was all of it.
+/// A line with the part of the work that was done; empty if all was done.
 pub(crate) fn part_line(shard: Shard) -> String {
     if shard.is_whole() {
         return String::new();
@@ -48,7 +46,7 @@ pub(crate) fn part_line(shard: Shard) -> String {
     format!("Part {shard}, counted from 0; `twinedge sum` adds up the JSON output of all parts\n\n")
 }
 
-/// Prints to standard output. That nobody reads on (`… | head`) is no error.
+/// Prints to standard output. A closed pipe (`… | head`) is not an error.
 pub(crate) fn print_answer(text: &str) -> Result<(), crate::status::Failure> {
     let mut out = anstream::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
@@ -57,17 +55,16 @@ pub(crate) fn print_answer(text: &str) -> Result<(), crate::status::Failure> {
     }
 }
 
-/// Prints a report, unless none is wanted.
 pub(crate) fn print(text: &str) -> Result<(), crate::status::Failure> {
     if IS_QUIET.load(Ordering::Relaxed) { Ok(()) } else { print_answer(text) }
 }
 
-/// Prints one JSON object. That nobody reads on is no error.
+/// Prints one JSON object. A closed pipe is not an error.
 pub(crate) fn print_json(value: &impl serde::Serialize) -> Result<(), crate::status::Failure> {
     print_bytes(&json(value)?)
 }
 
-/// Prints bytes as they are. That nobody reads on is no error.
+/// Prints bytes. A closed pipe is not an error.
 pub(crate) fn print_bytes(bytes: &[u8]) -> Result<(), crate::status::Failure> {
     let mut out = io::stdout().lock();
     match out.write_all(bytes).and_then(|()| out.flush()) {

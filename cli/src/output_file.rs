@@ -1,4 +1,4 @@
-//! Files that are written: whole or not at all, and never over the input.
+//! Output files: written completely or not at all, and never over the input.
 
 use crate::progress::{finished, unfinished};
 use crate::status::Failure;
@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{MAIN_SEPARATOR, Path, PathBuf};
 use twinedge_formats::layer::{Format, files};
 
-/// Writes a file, and refuses to overwrite an input, by whatever path.
+/// Writes a file, and refuses to overwrite an input under any path.
 pub(crate) fn write_file<'a>(
     path: &Path,
     inputs: impl IntoIterator<Item = &'a Path>,
@@ -17,8 +17,8 @@ pub(crate) fn write_file<'a>(
     write_files(path, &[path.to_owned()], inputs, |path| fs::write(path, contents).map_err(failed))
 }
 
-/// Writes the files that belong to a path. `write` gets the path of the same name in a new folder beside them; what it has written
-/// there takes the place of what was there before. What is no plain file, such as `/dev/stdout`, is written to as it is.
+/// Writes the files that belong to a path. `write` receives a path with the same name in a new folder next to it; the files that it writes there
+/// replace the existing ones. A path that is not a plain file, such as `/dev/stdout`, is written directly.
 pub(crate) fn write_files<'a>(
     path: &Path,
     all: &[PathBuf],
@@ -27,12 +27,12 @@ pub(crate) fn write_files<'a>(
 ) -> Result<(), Failure> {
     let failed = |error: std::io::Error| {
         let text = error.to_string();
-        // A folder that could not be made is named at the end.
+        // Drops the name of the temporary folder at the end of the error.
         let cause = text.split_once(" at path ").map_or(text.as_str(), |(cause, _)| cause);
         Failure(format!("{}: {cause}", path.display()))
     };
     for input in inputs {
-        // Each file of a Shapefile is a part of the input.
+        // Every file of a Shapefile is part of the input.
         let format = Format::of_path(input).unwrap_or(Format::GeoJson);
         let parts = files(input, format).into_iter().chain([input.to_owned()]);
         for part in parts {
@@ -44,7 +44,7 @@ pub(crate) fn write_files<'a>(
     if fs::metadata(path).is_ok_and(|metadata| !metadata.is_file()) {
         return write(path);
     }
-    // The target of a link is replaced, and not the link.
+    // Replace the target of a link, not the link.
     let real = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
     let folder = real.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let name = real.file_name().ok_or_else(|| Failure(format!("{}: this is no file", path.display())))?;
@@ -52,13 +52,13 @@ pub(crate) fn write_files<'a>(
     let written = scratch.path().join(name);
     let result = write(&written).and_then(|()| replace(&written, &real, all, failed));
     finished();
-    // Messages name the file that was asked for.
+    // Messages name the requested file.
     let of_scratch = format!("{}{MAIN_SEPARATOR}", scratch.path().display());
     let prefix = path.parent().map(|folder| folder.join("").display().to_string()).unwrap_or_default();
     result.map_err(|Failure(message)| Failure(message.replace(&of_scratch, &prefix)))
 }
 
-/// Puts the files that were written in the place of what was there before.
+/// Replaces the existing files by the written ones.
 fn replace(
     written: &Path,
     real: &Path,
@@ -77,7 +77,7 @@ fn replace(
             }
             fs::rename(from, to).map_err(&failed)?;
         } else if to.exists() {
-            // It would belong to what was there before.
+            // A leftover file would belong to the previous output.
             fs::remove_file(to).map_err(&failed)?;
         }
     }

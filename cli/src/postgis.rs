@@ -1,4 +1,4 @@
-//! `twinedge postgis`: what `psql` needs to write a topology.
+//! `twinedge postgis`: the commands with which `psql` writes a topology.
 
 use crate::output::print_answer;
 use crate::status::{Failure, Verdict};

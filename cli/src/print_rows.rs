@@ -1,18 +1,16 @@
-//! Rows of counts as text: a head, and a line for each row, in columns.
+//! Rows of counts as text: a head, and a line for each row.
 
 use crate::output::style::{BAD, QUIET};
 use crate::output::{grouped, zero};
 use std::fmt::Write as _;
 use twinedge_trials::{Cell, Column, Row};
 
-/// The head of the columns.
 pub(crate) fn head<R: Row>() -> String {
     let names = R::COLUMNS.iter().map(|column| (*column, column.name.to_owned()));
     format!("{QUIET}{}{QUIET:#}\n", in_columns(names))
 }
 
-/// The row, with each wrong count beside the expected one. In a part of the work (`is_whole` is false) nothing is expected of the
-/// counts.
+/// Formats a row, with the expected count next to each count that differs. A part of the work (`is_whole` is false) has no expected counts.
 pub(crate) fn line<R: Row>(row: &R, is_whole: bool) -> String {
     let cells = row.cells().into_iter().map(|cell| match cell {
         Cell::Text(text) => text,
@@ -26,12 +24,11 @@ pub(crate) fn line<R: Row>(row: &R, is_whole: bool) -> String {
     in_columns(R::COLUMNS.iter().copied().zip(cells)) + "\n"
 }
 
-/// A head and all rows.
 pub(crate) fn table<'a, R: Row + 'a>(rows: impl IntoIterator<Item = &'a R>, is_whole: bool) -> String {
     rows.into_iter().fold(head::<R>(), |text, row| text + &line(row, is_whole))
 }
 
-/// Cells in columns. A label after the first column is set off by two spaces.
+/// Aligns cells in columns. Two spaces separate a label that is not in the first column.
 fn in_columns(cells: impl Iterator<Item = (Column, String)>) -> String {
     let mut line = String::new();
     for (column, cell) in cells.filter(|(column, _)| column.width > 0) {

@@ -1,4 +1,4 @@
-//! The validators of tables, and `--print`: each table that is judged, with the verdict, one on each line; or certificates of it.
+//! The validators of tables, and `--print`: each judged table with its verdict on one line, or its certificates.
 
 use crate::progress;
 use crate::status::Failure;
@@ -37,7 +37,7 @@ impl Judge {
         }
     }
 
-    /// The line or the lines that are printed of a table.
+    /// The printed lines of a table.
     fn line(self, table: &Table, expectation: &Expectation, verdict: Verdict) -> String {
         let said = match self {
             Self { certificates: true, .. } => return certificates(table, expectation),
@@ -49,7 +49,7 @@ impl Judge {
     }
 }
 
-/// A validator, which prints each table that it judged to standard output.
+/// A validator that prints each table it judges to standard output.
 pub(crate) struct Printer {
     lines: Mutex<Lines>,
     judge: Judge,
@@ -57,7 +57,6 @@ pub(crate) struct Printer {
 
 struct Lines {
     out: BufWriter<Stdout>,
-    /// The expectation of the last table.
     expectation: Option<Expectation>,
     error: Option<io::Error>,
 }
@@ -82,7 +81,7 @@ impl Printer {
         self.lines.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Writes what is left, and the summary to standard error.
+    /// Writes the remaining output, and the summary to standard error.
     pub(crate) fn finish(&self, summary: &str) -> Result<(), Failure> {
         let mut lines = self.lines();
         let flushed = lines.out.flush();
@@ -105,14 +104,14 @@ impl Checker for Printer {
         if lines.error.is_none()
             && let Err(error) = lines.write(*expectation, &line)
         {
-            // Nobody reads on, or the disk is full.
+            // The pipe is closed, or the disk is full.
             progress::stop();
             lines.error = Some(error);
         }
     }
 }
 
-/// Certificates of a table, one on each line: the columns in their order, each after its number of entries, and the tests that fail.
+/// Certificates of a table, one per line: the columns in order, each preceded by its length, and the failed tests.
 fn certificates(table: &Table, expectation: &Expectation) -> String {
     let mut lines = String::new();
     let has_all = *expectation == Expectation::plane();

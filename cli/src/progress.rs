@@ -10,36 +10,35 @@ use std::time::Duration;
 use tempfile::TempDir;
 use twinedge_trials::Progress;
 
-/// True if the work is to end early.
+/// True if the work must end early.
 static STOP: AtomicBool = AtomicBool::new(false);
 
-/// True if the work looks at `STOP`.
+/// True if the work checks `STOP`.
 static CAN_STOP: AtomicBool = AtomicBool::new(false);
 
 /// The folder with unfinished files, if there is one.
 static SCRATCH: Mutex<Option<PathBuf>> = Mutex::new(None);
 
-/// The exit status of a program that is interrupted.
+/// The exit status of an interrupted program.
 const INTERRUPTED: i32 = 130;
 
-/// Makes Ctrl-C end the work early, so that what was covered can be printed. The second one ends the program.
+/// Makes Ctrl-C end the work early, so that the results so far can be printed. A second Ctrl-C ends the program.
 pub(crate) fn stop_on_interrupt() -> Result<(), Failure> {
     CAN_STOP.store(true, Ordering::Relaxed);
     handle_interrupts()
 }
 
-/// Makes a folder for unfinished files. Ctrl-C removes it and ends the program, from the moment at which it is there until
-/// [`finished`].
+/// Creates a folder for unfinished files. From then until [`finished`], Ctrl-C removes the folder and ends the program.
 pub(crate) fn unfinished(make: impl FnOnce() -> Result<TempDir, Failure>) -> Result<TempDir, Failure> {
     handle_interrupts()?;
-    // Nothing is removed in between.
+    // The lock keeps Ctrl-C out until the folder is recorded.
     let mut scratch = locked(&SCRATCH);
     let folder = make()?;
     *scratch = Some(folder.path().to_owned());
     Ok(folder)
 }
 
-/// Says that there are no unfinished files any more.
+/// Declares that there are no unfinished files any more.
 pub(crate) fn finished() {
     *locked(&SCRATCH) = None;
 }
@@ -66,7 +65,7 @@ fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Ends the work early, as Ctrl-C does.
+/// Ends the work early, like Ctrl-C.
 pub(crate) fn stop() {
     STOP.store(true, Ordering::Relaxed);
 }
@@ -76,7 +75,7 @@ pub(crate) static BARS: Bars = Bars(Mutex::new(None));
 
 pub(crate) struct Bars(Mutex<Option<ProgressBar>>);
 
-/// Does work that may take long. It says which stage begins, and what it said last is shown after a second, if standard error is a terminal.
+/// Does work that may take long. The work reports its stages; if standard error is a terminal, a stage that takes longer than a second is shown.
 pub(crate) fn busy<T>(work: impl FnOnce(&mut dyn FnMut(&'static str)) -> T) -> T {
     std::thread::scope(|scope| {
         let (begins, stages) = std::sync::mpsc::channel();
@@ -90,7 +89,7 @@ pub(crate) fn busy<T>(work: impl FnOnce(&mut dyn FnMut(&'static str)) -> T) -> T
                             bar.set_style(style);
                         }
                         bar.enable_steady_tick(Duration::from_millis(250));
-                        // Until the next stage, or the end.
+                        // Waits for the next stage, or the end.
                         let next = stages.recv();
                         bar.finish_and_clear();
                         next.ok()
@@ -100,7 +99,7 @@ pub(crate) fn busy<T>(work: impl FnOnce(&mut dyn FnMut(&'static str)) -> T) -> T
             }
         });
         work(&mut |stage| {
-            // The other end is there as long as this one.
+            // The receiver lives as long as this sender.
             let _ = begins.send(stage);
         })
     })

@@ -72,7 +72,6 @@ pub(crate) struct Prove {
     format: Format,
 }
 
-/// Proving a structure of any type.
 struct Proving<'a>(ProveWork, &'a Run<'a>);
 
 impl Task for Proving<'_> {
@@ -93,7 +92,7 @@ impl Prove {
         let run = self.effort.start()?;
         let start = Instant::now();
         let outcome = match self.on {
-            // Through pointers it would take a sixth longer.
+            // Dispatching through pointers would take a sixth longer.
             StructureName::Slots => prove(&Structure::new(self.on.name(), Dcel::new, Expectation::plane()), work, &run),
             other => other.with(Proving(work, &run)),
         };
@@ -112,16 +111,15 @@ impl Printed for ProveOutcome {
     }
 }
 
-/// The outcome for people.
 struct Text<'a>(&'a ProveOutcome, f64);
 
 impl Text<'_> {
-    /// Returns true if all was counted. Numbers of a part of the work, or of work that was interrupted, are not the published ones.
+    /// Returns true if everything was counted. Counts of a part of the work, or of interrupted work, differ from the published ones.
     const fn is_comparable(&self) -> bool {
         self.0.shard.is_whole() && !self.0.interrupted
     }
 
-    /// A number beside the one that it should be, if all was counted.
+    /// Formats a count, with the published number if everything was counted and the two differ.
     fn beside(&self, found: u64, published: u64) -> String {
         if found == published || !self.is_comparable() {
             grouped(found)

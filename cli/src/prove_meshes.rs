@@ -13,7 +13,6 @@ use twinedge_trials::meshes::{MeshStructure, MeshesOutcome, MeshesWork};
 use twinedge_trials::replay::Indexed;
 use twinedge_trials::{Outcome, Run, Structure, meshes};
 
-/// Trying triangulations on a structure of any type.
 struct Trying<'a>(MeshesWork, &'a Run<'a>);
 
 impl Task for Trying<'_> {
@@ -43,7 +42,6 @@ impl Printed for MeshesOutcome {
     }
 }
 
-/// The outcome for people.
 struct Text<'a>(&'a MeshesOutcome, f64);
 
 impl fmt::Display for Text<'_> {
@@ -54,7 +52,7 @@ impl fmt::Display for Text<'_> {
             f,
             "Triangulated discs, by vertices on the border + inside. A wrong count stands beside the published one."
         )?;
-        // All parts count all triangulations.
+        // Every part counts all triangulations.
         f.write_str(&table(&outcome.rows, true))?;
         writeln!(f)?;
         f.write_str(&table(&outcome.operators, true))?;

@@ -52,14 +52,14 @@ pub(crate) struct Replay {
     format: Format,
 }
 
-/// Programs longer than this, in bytes, are cut off.
+/// The maximal length of a program in bytes; the rest is cut off.
 const LONGEST: u64 = 16 << 20;
 
 #[derive(Debug, Serialize)]
 struct Outcome {
     on: &'static str,
     steps: Vec<Step>,
-    /// The difference of the structure from the reference.
+    /// The difference between the structure and the reference.
     difference: Option<String>,
     ok: bool,
 }
@@ -67,15 +67,14 @@ struct Outcome {
 #[derive(Debug, Serialize)]
 struct Step {
     op: String,
-    /// The arguments that it chose, by their names in the structure before the step; none if there was nothing to choose from.
+    /// The chosen arguments, by their names in the structure before the step; `None` if there was nothing to choose from.
     chosen: Option<String>,
     outcome: String,
-    /// None if it panicked: no step follows.
+    /// The structure afterwards; `None` if the operator panicked, which ends the program.
     #[serde(flatten)]
     after: Option<After>,
 }
 
-/// The structure after a step.
 #[derive(Debug, Serialize)]
 struct After {
     valid: bool,
@@ -121,14 +120,14 @@ impl Replay {
     }
 }
 
-/// The structure that a saved file names in its comments.
+/// Returns the structure named in the comments of a saved file.
 fn named_in(text: &str) -> Option<StructureName> {
     let comments = text.lines().map_while(|line| line.strip_prefix('#'));
     let mut names = comments.filter_map(|line| line.split_once("on: ").map(|(_, name)| name.trim()));
     names.find_map(|name| StructureName::from_str(name, false).ok())
 }
 
-/// Running a program step by step, then in step with the reference.
+/// Runs a program step by step, and then in step with the reference.
 struct Replaying<'a>(&'a Program);
 
 impl Task for Replaying<'_> {
@@ -167,16 +166,15 @@ impl After {
     }
 }
 
-/// The arguments of an operator by their names in the tables.
 fn in_words(call: Call<Link, Link, Link>) -> String {
     let named = |letter: char| move |index: Link| index.map_or_else(|| "stale".to_owned(), |i| format!("{letter}{i}"));
     call.map(named('v'), named('h'), named('f')).to_string()
 }
 
-/// A structure as tables, a line for each record.
+/// A structure as tables, with a line for each record.
 struct Tables<'a>(&'a Table);
 
-/// A link with the letter of what it leads to.
+/// A link, prefixed with the letter of its kind of record.
 fn link(letter: char, link: Option<usize>) -> String {
     link.map_or_else(|| "nil".to_owned(), |i| format!("{letter}{i}"))
 }

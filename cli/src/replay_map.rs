@@ -11,7 +11,7 @@ use twinedge_map::edit::Edited;
 use twinedge_map::program::{EditFailure, EditOp, EditOutcome, EditProgram, EditRunner};
 use twinedge_report::words::counted;
 
-/// The journal as JSON has it: the output of `--format json`, of which only the edits are read.
+/// The journal in JSON: the output of `--format json`. Only the edits are read.
 #[derive(Deserialize)]
 struct Journal {
     steps: Vec<Entry>,
@@ -37,7 +37,7 @@ struct Step {
     op: String,
     /// `done`, `refused`, `skipped` or `not valid`.
     outcome: &'static str,
-    /// Why it was refused, or what is not valid after it.
+    /// The reason for the refusal, or the violation after the edit.
     #[serde(skip_serializing_if = "Option::is_none")]
     error: Option<String>,
     vertices_made: usize,

@@ -1,4 +1,4 @@
-//! `twinedge sample`: random tables, right or wrong.
+//! `twinedge sample`: random tables, valid and invalid.
 
 use crate::document::{Document, Nothing, Printed};
 use crate::effort::{Effort, seed_of_the_moment};
@@ -84,7 +84,6 @@ impl Printed for SampleOutcome {
     }
 }
 
-/// The outcome for people.
 struct Text<'a>(&'a SampleOutcome, f64);
 
 impl fmt::Display for Text<'_> {

@@ -65,7 +65,6 @@ pub(crate) struct Soak {
     format: Format,
 }
 
-/// The file of the failing program.
 #[derive(Debug, Default, Serialize, Deserialize)]
 pub(crate) struct Saved {
     saved: Option<PathBuf>,
@@ -91,7 +90,7 @@ impl Soak {
             }
         }
         document.print(self.format)?;
-        // Only now, so that what was found is not lost.
+        // Return this error last, so that the findings are printed first.
         not_saved.map_or_else(|| Ok(document.verdict()), Err)
     }
 
@@ -101,20 +100,20 @@ impl Soak {
     }
 }
 
-/// The file of a failing program.
+/// The text of the file for a failing program.
 fn file(failure: &SoakFailure, seed: u64) -> String {
     let SoakFailure { on, number, message, program, .. } = failure;
     format!("# {message}\n# program {number} of seed {seed}, made small; on: {on}\n{program}")
 }
 
-/// Steps per second of one thread, if each of these structures runs programs of this many steps.
+/// Returns the steps per second of one thread that runs programs of `steps` steps on each of these structures.
 ///
 /// The map grows with the steps, so the time grows faster than their number. The formulas fit measurements of up to 4,000 steps.
 #[allow(clippy::cast_sign_loss, reason = "no number here is negative")]
 fn per_second(on: &[StructureName], steps: u32) -> u64 {
     let thousands = f64::from(steps) / 1000.0;
     let seconds = |on: &StructureName| match on {
-        // It is soon full.
+        // This structure is soon full.
         StructureName::Limited => 0.025 * thousands,
         // Copies are kept and compared.
         StructureName::History => 0.4 * thousands.powf(2.4),
@@ -125,7 +124,7 @@ fn per_second(on: &[StructureName], steps: u32) -> u64 {
     (steps / on.iter().map(seconds).sum::<f64>()).ceil() as u64
 }
 
-/// Writes a new file of this name, or of this name with the first number appended that makes it free. Returns the name.
+/// Writes a new file of this name, appending the first free number if the name is taken. Returns the name.
 fn save(path: &Path, text: &str) -> io::Result<PathBuf> {
     let mut free = path.to_owned();
     for number in 2_u32.. {
@@ -160,7 +159,6 @@ impl Printed for SoakOutcome {
     }
 }
 
-/// The outcome for people.
 struct Text<'a>(&'a SoakOutcome, &'a Saved, f64);
 
 impl fmt::Display for Text<'_> {

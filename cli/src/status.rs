@@ -2,7 +2,7 @@
 
 use twinedge_report::words::plain;
 
-/// The result of a command, as its exit status tells it.
+/// The result of a command, reported by its exit status.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Verdict {
     Sound,
@@ -10,7 +10,7 @@ pub(crate) enum Verdict {
     Interrupted,
 }
 
-/// Why a command could not be carried out, in one line for standard error.
+/// The reason why a command failed, in one line for standard error.
 #[derive(Debug)]
 pub(crate) struct Failure(pub(crate) String);
 
@@ -20,13 +20,12 @@ impl<E: std::error::Error> From<E> for Failure {
     }
 }
 
-/// Makes an error about an input a failure that names the input.
+/// Converts an error about an input to a failure that names the input.
 pub(crate) fn named<E: std::fmt::Display>(input: &str) -> impl Fn(E) -> Failure + '_ {
     move |error| Failure(format!("{input}: {error}"))
 }
 
 impl Verdict {
-    /// The exit status.
     pub(crate) const fn status(self) -> u8 {
         match self {
             Self::Sound => 0,
@@ -37,12 +36,12 @@ impl Verdict {
 }
 
 impl Failure {
-    /// Says it on standard error, and returns the exit status.
+    /// Prints the failure to standard error, and returns the exit status.
     pub(crate) fn tell(&self) -> u8 {
         eprintln!("twinedge: {}", plain(&self.0));
         FAILED
     }
 }
 
-/// The exit status of a command that could not be carried out.
+/// The exit status of a failed command.
 const FAILED: u8 = 2;

@@ -1,4 +1,4 @@
-//! The structures that the commands work on, by name.
+//! The named structures that the commands work on.
 
 use clap::ValueEnum;
 use twinedge::dcel::{Audited, Dcel, Room};
@@ -30,7 +30,7 @@ pub(crate) enum StructureName {
     Panicking,
 }
 
-/// Something to be done with a structure of any type. It is compiled for two types: the second model, and all others as one.
+/// A task for a structure of any type. It is compiled for two types: the second model, and all others as one.
 pub(crate) trait Task {
     type Result;
 
@@ -43,7 +43,7 @@ const REPORT_AUDIT: &str = "twinedge_trials::ReportAudit";
 const EXPECTATION: &str = "twinedge::validate::Expectation";
 const DCEL_AND_ROOM: &str = "twinedge::dcel::{Dcel, Room}";
 
-/// A structure by the source that names it.
+/// A structure, with the Rust source that constructs it.
 const fn source(imports: &'static [&'static str], make: &'static str) -> TestSource {
     TestSource { imports, make, expectation: "Expectation::plane()", remark: "" }
 }
@@ -67,18 +67,18 @@ const AUDITED_LIMITED: TestSource = source(
     "ReportAudit::new(Dcel::with_limits(Room { vertices: 24, edges: 40, boundaries: 40, faces: 24 }))",
 );
 
-/// The empty map with limits.
+/// Creates an empty map with limits.
 fn limited() -> Dcel {
     Dcel::with_limits(Room { vertices: 24, edges: 40, boundaries: 40, faces: 24 })
 }
 
-/// The empty map, audited.
+/// Creates an empty map that is audited.
 fn audited() -> Audited {
     Audited::new(Dcel::new()).expect("the empty map is valid")
 }
 
 impl StructureName {
-    /// The structure with limits and without, and the second model.
+    /// The structure without and with limits, and the second model.
     pub(crate) const SOUND: [Self; 3] = [Self::Slots, Self::Limited, Self::Pointers];
 
     pub(crate) const fn name(self) -> &'static str {
@@ -93,7 +93,7 @@ impl StructureName {
         }
     }
 
-    /// Does something with the structure of this name.
+    /// Runs a task on the structure of this name.
     pub(crate) fn with<T: Task>(self, task: T) -> T::Result {
         match self {
             Self::Slots => task.run(self.made(|| Erased::new(Dcel::new()), SLOTS)),
@@ -106,7 +106,7 @@ impl StructureName {
         }
     }
 
-    /// The structure of this name, to compare programs on. What the operators report is checked, too.
+    /// Returns the structure of this name, for comparing programs. The reports of operators are compared as well.
     pub(crate) fn comparable(self) -> Box<dyn Comparable> {
         struct Boxed;
         impl Task for Boxed {
@@ -123,7 +123,7 @@ impl StructureName {
         }
     }
 
-    /// The structure of this name, as it is made, and the source that names it.
+    /// The structure of this name, with its constructor and the source for it.
     const fn made<K: Indexed>(self, make: fn() -> K, source: TestSource) -> Structure<K> {
         Structure::new(self.name(), make, Expectation::plane()).source(source)
     }
@@ -134,7 +134,7 @@ mod tests {
     use super::StructureName;
     use twinedge::program::Program;
 
-    /// The text that is printed is compiled as it stands, and run: it is these modules.
+    /// Includes these modules as text to print, and compiles and runs the same text.
     macro_rules! printed {
         ($($name:ident: $on:ident;)*) => {
             $(#[rustfmt::skip] mod $name;)*

@@ -63,7 +63,7 @@ pub(crate) struct Sum {
     format: Format,
 }
 
-/// A part and the file that it was read from.
+/// A part, and its file.
 struct Part {
     name: String,
     value: Value,
@@ -101,7 +101,7 @@ impl Sum {
 }
 
 impl Sum {
-    /// Merges summaries of tiles, and says what all of them say, or writes the summary of those that are there.
+    /// Merges summaries of tiles. Reports the result, or writes the merged summary.
     fn sum_tiles(&self, parts: Vec<Part>, start: Instant) -> Result<Verdict, Failure> {
         for path in ["command", "version", "crs", "summary/grid", "summary/limits"] {
             same(&parts, path)?;
@@ -128,7 +128,7 @@ impl Sum {
         }
         let coverage = CoverageOptions { is_rule: self.coverage, ..CoverageOptions::default() };
         let map = MapOptions { allow_empty: self.allow_empty, ..MapOptions::default() };
-        // Only the number of a reference system leads to its units.
+        // Only the number of a reference system identifies its units.
         let number = |name: &str| name.strip_prefix("EPSG:").and_then(|number| number.parse().ok());
         let crs = crs.map(|name| number(&name).map_or_else(Crs::default, Crs::epsg));
         let mut audited = audit_summary(whole, cut, crs, &Options { coverage, map, ..Options::default() })?;
@@ -152,7 +152,7 @@ impl Part {
     }
 }
 
-/// Refuses parts that differ in a value that identifies the work, by the path of its keys. Keys below it are named one by one.
+/// Refuses parts that differ in a value that identifies the work, given by the path of its keys. Keys below it are compared one by one.
 fn same(parts: &[Part], path: &str) -> Result<(), Failure> {
     let (first, key) = (&parts[0], path.rsplit('/').next().unwrap_or(path));
     let at_path = |part: &Part| part.value.pointer(&format!("/{path}")).cloned().unwrap_or_default();
@@ -191,7 +191,7 @@ fn add_up<O: Printed>(parts: Vec<Part>, format: Format) -> Result<Verdict, Failu
     Ok(document.verdict())
 }
 
-/// The error with the name of the file.
+/// The error, with the name of the file.
 fn in_words(error: &SumError, names: &[String]) -> Failure {
     match error.position().and_then(|position| names.get(position)) {
         Some(name) => Failure(format!("{name}: {error}")),

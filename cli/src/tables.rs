@@ -1,4 +1,4 @@
-//! `twinedge tables`: all tables of a few records, right or wrong.
+//! `twinedge tables`: all tables of a few records, valid and invalid.
 
 use crate::document::{Document, Nothing, Printed};
 use crate::effort::Effort;
@@ -114,7 +114,6 @@ impl Printed for TablesOutcome {
     }
 }
 
-/// The outcome for people.
 struct Text<'a>(&'a TablesOutcome, f64);
 
 impl fmt::Display for Text<'_> {

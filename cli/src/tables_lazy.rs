@@ -102,7 +102,6 @@ impl Printed for LazyOutcome {
     }
 }
 
-/// The outcome for people.
 struct Text<'a>(&'a LazyOutcome, f64);
 
 impl fmt::Display for Text<'_> {

@@ -94,7 +94,7 @@ impl MakeVoronoi {
     }
 }
 
-/// The map with a feature for each cell, so that neighbours are drawn in different colours.
+/// Builds the map with a feature for each cell, so that neighbours have different colours.
 fn coloured(found: Voronoi) -> Result<PlanarMap, Failure> {
     let mut map = found.map;
     for cell in found.cells {

@@ -59,8 +59,8 @@ presets! {
     SurfaceMesh "surface_mesh"
         from "CGAL, user manual of Surface_mesh, sections Connectivity and Borders, and CGAL/Surface_mesh/Surface_mesh.h, halfedge(Vertex_index)"
         MESH;
-    /// `OpenMesh`, `PolyMesh` and `TriMesh`. The manual: a vertex keeps a half-edge that leaves it, a face one of those that
-    /// bound it, and a half-edge its target, face, next, opposite and, optionally, its previous one.
+    /// `OpenMesh`, `PolyMesh` and `TriMesh`. The manual: a vertex keeps a half-edge that leaves it, a face a half-edge that bounds it, and a
+    /// half-edge its target, face, next, opposite and, optionally, its previous one.
     ///
     /// "The outgoing halfedge" of a boundary vertex "must be a boundary halfedge" (M8): `is_boundary` of a vertex relies on it,
     /// and `adjust_outgoing_halfedge` restores it. For a mesh of triangles, add [`triangles`](Expectation::triangles).

@@ -258,14 +258,14 @@ fn boundary_components_in_columns_have_the_verdict_of_their_table() {
     assert!(broken.len() >= 9, "{broken:?}");
 }
 
-/// The same structure, which lends no columns.
+/// A wrapper that lends no columns of its structure.
 struct Asked<'a>(Columns<'a, u32>);
 
 impl View for Asked<'_> {
     twinedge::delegate_view!(|this| &this.0);
 }
 
-/// The same columns as numbers without a sign.
+/// Converts a column to unsigned integers.
 fn unsigned(column: &[i64]) -> Vec<u32> {
     column
         .iter()

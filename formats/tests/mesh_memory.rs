@@ -1,4 +1,4 @@
-//! The claims of a header cost no memory, and the content of a file costs little.
+//! The counts declared in a header cost no memory, and the content of a file costs little.
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::Mutex;
@@ -10,7 +10,7 @@ struct Counting;
 
 static NOW: AtomicUsize = AtomicUsize::new(0);
 static PEAK: AtomicUsize = AtomicUsize::new(0);
-/// One test at a time counts.
+/// Only one test measures at a time.
 static TURN: Mutex<()> = Mutex::new(());
 
 #[allow(unsafe_code, reason = "an allocator that counts and passes everything on")]
@@ -33,7 +33,7 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static COUNTING: Counting = Counting;
 
-/// The most memory in use at once during this, beyond what was in use before.
+/// Returns the peak memory during the work, beyond the memory in use before.
 fn peak(work: impl FnOnce()) -> usize {
     let before = NOW.load(Relaxed);
     PEAK.store(before, Relaxed);

@@ -1,4 +1,4 @@
-//! The claims of a stream cost no memory.
+//! The counts declared in a stream cost no memory.
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
@@ -37,7 +37,7 @@ fn claims_cost_nothing() {
     let node: &[u8] = &[0, 3, 0, 0, 0, 4, 0, 0, 0, 1, 0xff, 0xff, 0xff, 0xff];
     let empty_table: &[u8] = &[0xff, 0xff];
     for bytes in [
-        // An extension of the header, a geometry, a line and a polygon of 2³¹ bytes, points or rings.
+        // An extension of the header, a geometry, a line and a polygon with a count of 2³¹ bytes, points or rings.
         [header, &[0xff; 4]].concat(),
         [&begun, node, long, &[1, 1]].concat(),
         [&begun, node, &[0, 0, 0, 9], &[1, 2, 0, 0, 0, 0xff, 0xff, 0xff, 0x7f]].concat(),

@@ -1,4 +1,4 @@
-//! The three tables of the textbooks: written, read, and what is wrong with a text.
+//! The three tables of the textbooks: writing, reading, and errors in a text.
 #![allow(clippy::needless_pass_by_value, reason = "quickcheck hands its arguments over")]
 
 use quickcheck::QuickCheck;
@@ -45,7 +45,7 @@ fn records_have_the_names_of_the_book() {
     assert_eq!((tables.next(0), tables.outer_half_edge(4), tables.inner_count(4)), (Some(2), None, 1));
 }
 
-/// Bars, commas, dashes, capitals and order make no difference.
+/// Bars, commas, dashes, capitals and order do not matter.
 #[test]
 fn tables_are_read_however_they_are_set() {
     let plain = "
@@ -72,11 +72,11 @@ fn tables_are_read_however_they_are_set() {
 
 #[test]
 fn a_wrong_table_is_read_and_judged() {
-    // The twin of e2,2 is said to be e3,1.
+    // The twin of e2,2 is changed to e3,1.
     let text = FIVE_FACES.replace("e2,2       V2      e2,1", "e2,2       V2      e3,1");
     let report = validate(&read(&text), &Expectation::plane(), Collect::All);
     assert_eq!(report.first().unwrap().rule(), Rule::L1);
-    // A link to what is not there.
+    // A link to a missing record.
     let text = FIVE_FACES.replace("V1      e2,1", "V1      ?");
     let report = validate(&read(&text), &Expectation::plane(), Collect::All);
     assert_eq!(report.first().unwrap().rule(), Rule::R1);
@@ -95,7 +95,7 @@ fn coordinates_are_checked_with_the_links() {
     let back = read(&tables.to_string());
     assert_eq!(back, tables);
     assert!(validate_embedding(&back, &Expectation::plane(), Collect::All).is_valid());
-    // The other way round: the face turns clockwise.
+    // Mirrored: the face is clockwise.
     let turned = tables.to_string().replace("(4, 0.5)", "(-4, 0.5)");
     let report = validate_embedding(&read(&turned), &Expectation::plane(), Collect::All);
     assert!(report.violations().iter().any(|violation| violation.rule() == Rule::G3));
@@ -105,7 +105,7 @@ fn coordinates_are_checked_with_the_links() {
     assert_eq!(report.first().unwrap().rule(), Rule::G1);
 }
 
-/// Whatever a program makes: its tables are valid, and are read as they are written.
+/// The tables of any program's result are valid, and are read back.
 fn maps_come_back(program: Program) -> bool {
     let mut runner = Runner::new(Dcel::new());
     runner.run(&program);
@@ -124,7 +124,7 @@ fn random_maps() {
     QuickCheck::new().tests(300).quickcheck(maps_come_back as fn(Program) -> bool);
 }
 
-/// Half-edges whose twins are not next to each other are numbered by their order.
+/// Half-edges whose twins are not adjacent are numbered in order.
 #[test]
 fn half_edges_of_any_numbering_have_names() {
     let mut table: Table = read(DANGLING_EDGE).table().clone();

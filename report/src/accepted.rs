@@ -1,25 +1,24 @@
-//! Findings of a coverage that were accepted, as lakes and disputed areas are.
+//! Accepted findings of a coverage, such as lakes and disputed areas.
 
 use crate::words::plain;
 use serde::{Deserialize, Serialize};
 use std::collections::{HashMap, HashSet};
 use twinedge_formats::diagnosis::{Diagnosis, FeatureName, Position};
 
-/// The version of the form.
 const SCHEMA: &str = "twinedge-accepted/1";
 
-/// A measure may be greater by this part of it, since it is rounded.
+/// The relative amount by which a measure may grow, since measures are rounded.
 const ROUNDING: f64 = 1e-9;
 
-/// Findings that were accepted. Each is known by its id, and is accepted as long as it does not grow; invalid features and missing vertices have no
-/// size, and are accepted where they were.
+/// Accepted findings, known by their ids. A finding stays accepted as long as it does not grow. Invalid features and missing vertices have no size
+/// and are accepted at their places.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Accepted {
     schema: String,
     accepted: Vec<AcceptedFinding>,
 }
 
-/// A finding that was accepted.
+/// An accepted finding.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct AcceptedFinding {
     /// The id.
@@ -39,42 +38,41 @@ pub struct AcceptedFinding {
     /// The place to look at.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub at: Option<Position>,
-    /// The area that it had; without one, any is accepted.
+    /// The accepted area; without one, any area is accepted.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub area: Option<f64>,
-    /// The length of the borders that it had; without one, any is accepted.
+    /// The accepted length of the borders; without one, any length is accepted.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub length: Option<f64>,
-    /// The number of missing vertices that it had; without one, any is accepted.
+    /// The accepted number of missing vertices; without one, any number is accepted.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub missing: Option<usize>,
-    /// The number of defects that an invalid feature had; without one, any are accepted.
+    /// The accepted number of defects of an invalid feature; without one, any number is accepted.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub defects: Option<usize>,
 }
 
-/// The fate of accepted findings.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub(crate) struct AcceptedSummary {
-    /// The number of those that occur.
+    /// The number of accepted findings that occur.
     pub(crate) count: usize,
-    /// The ids of those that have grown, and count as findings.
+    /// The ids of accepted findings that have grown, and so count as findings.
     pub(crate) grown: Vec<String>,
-    /// The ids of those that no longer occur.
+    /// The ids of accepted findings that no longer occur.
     pub(crate) gone: Vec<String>,
 }
 
-/// The reason why a file is no list of accepted findings.
+/// The error for a file that is not a list of accepted findings.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum AcceptedError {
-    /// It is no JSON of this form.
+    /// The file is not JSON of this form.
     #[error("no list of accepted findings: {0}")]
     Json(#[from] serde_json::Error),
-    /// It has another version.
+    /// The list has another version.
     #[error("no list of accepted findings: its schema is {0:?}, not {SCHEMA:?}")]
     Schema(String),
-    /// An id is there twice.
+    /// An id occurs twice.
     #[error("the finding {0} is accepted twice")]
     Twice(String),
 }
@@ -96,7 +94,7 @@ impl Accepted {
         }
     }
 
-    /// All these findings. Those that are in `before` keep their reason and date, unless they grew.
+    /// Accepts all these findings. A finding in `before` keeps its reason and date unless it grew.
     pub(crate) fn all<'a>(
         findings: impl Iterator<Item = &'a Diagnosis>,
         before: Option<&Self>,
@@ -124,7 +122,7 @@ impl Accepted {
         Self { schema: SCHEMA.to_owned(), accepted: findings.map(of).collect() }
     }
 
-    /// Marks the findings that are accepted, and returns what became of them, also in sentences about those that grew or are no longer there.
+    /// Marks the accepted findings. Returns a summary and a sentence for each accepted finding that grew or no longer occurs.
     pub(crate) fn mark<'a>(&self, findings: impl Iterator<Item = &'a mut Diagnosis>) -> (AcceptedSummary, Vec<String>) {
         let known: HashMap<&str, &AcceptedFinding> = self.accepted.iter().map(|one| (&*one.id, one)).collect();
         let mut found = HashSet::new();
@@ -151,7 +149,7 @@ impl Accepted {
 }
 
 impl AcceptedFinding {
-    /// Returns true if a finding is no greater, and if nothing measures it, at the same place.
+    /// Returns true if a finding is no greater, or, without a measure, at the same place.
     fn covers(&self, one: &Diagnosis) -> bool {
         let is_measured = one.measures.area.is_some();
         let is_near = |a: &Position, b: &Position| {
@@ -167,7 +165,6 @@ impl AcceptedFinding {
         is_within(one.measures.area, self.area) && is_within(one.measures.length, self.length) && is_as_few && is_here
     }
 
-    /// The id and the features.
     fn title(&self) -> String {
         if self.features.is_empty() { self.id.clone() } else { format!("{} ({})", self.id, self.features.join(", ")) }
     }

@@ -25,7 +25,7 @@ use twinedge_formats::mesh::IndexedMesh;
 use twinedge_formats::postgis::Topology;
 use twinedge_formats::textbook::Textbook;
 
-/// An input that was audited.
+/// An audited input.
 #[derive(Debug)]
 pub struct Audited(Outcome);
 
@@ -35,7 +35,6 @@ enum Outcome {
     Tables(TablesReport),
 }
 
-/// The structure that a page shows.
 #[derive(Debug)]
 enum Subject {
     Map(Box<Imported>),
@@ -43,17 +42,17 @@ enum Subject {
     Postgis(Box<Topology>),
     Arcs(Box<ArcTopology>),
     Mesh(IndexedMesh),
-    /// Tiles, of which findings have places, and no shapes.
+    /// Tiles: their findings have places and no shapes.
     Tiles,
     None,
 }
 
-/// Reads an input and judges it. `stage` is told what begins, before work that may take long.
+/// Reads an input and judges it. Calls `stage` with the name of each step that may take long.
 ///
 /// O(n log n) for n segments that cross in O(n) places.
 ///
 /// # Errors
-/// [`Error`], if the input could not be read, or cannot be judged as was asked.
+/// [`Error`], if the input cannot be read, or not be judged with these options.
 pub fn audit(
     input: Input,
     kind: InputKind,
@@ -79,7 +78,7 @@ pub fn audit(
     Ok(told(report, Subject::Map(Box::new(imported)), options, kind))
 }
 
-/// As [`audit`], with straight edges and without M9 … M11, whatever is asked for: programs that never ask for these are smaller by this.
+/// Like [`audit`], but always with straight edges and without M9 … M11. Programs that need neither are smaller with this function.
 ///
 /// # Errors
 /// As for [`audit`].
@@ -118,12 +117,12 @@ pub fn audit_plainly(
     Ok(told(report, subject, options, kind))
 }
 
-/// Reads a map and judges it, also by the rules between it and another layer, and between its parts and their parents.
+/// Reads a map and judges it, including the rules between it and another layer and between its parts and their parents.
 ///
 /// O(n log n) for n segments of both that cross in O(n) places.
 ///
 /// # Errors
-/// [`Error`], if an input could not be read, or cannot be judged as was asked.
+/// [`Error`], if an input cannot be read, or not be judged with these options.
 pub fn audit_against(
     input: Input,
     other: Option<Input>,
@@ -140,21 +139,21 @@ pub fn audit_against(
     Ok(told(report, Subject::Map(Box::new(imported)), options, InputKind::Map))
 }
 
-/// The findings of whoever read a layer.
+/// The findings of a layer's reader.
 #[derive(Clone, Debug)]
 pub struct OfReader {
     /// The outcome of each of its rules.
     pub rules: Vec<RuleLine>,
-    /// The violations that are listed.
+    /// The listed violations.
     pub findings: Vec<Diagnosis>,
-    /// The name of the option by which it was read, and its value.
+    /// The name and value of the option that selected the reader.
     pub option: (&'static str, String),
 }
 
-/// Judges a layer that is in memory, and says what its reader found.
+/// Judges a layer in memory and reports its reader's findings.
 ///
 /// # Errors
-/// [`Error`], if it cannot be judged as was asked.
+/// [`Error`], if the layer cannot be judged with these options.
 pub fn audit_layer(
     name: &str,
     layer: Layer,
@@ -163,7 +162,7 @@ pub fn audit_layer(
     stage: &mut dyn FnMut(&'static str),
 ) -> Result<Audited, Error> {
     let mut map = options.map.clone();
-    // If the reader found something, a layer without polygons is no other input.
+    // A layer without polygons is an error only if the reader found nothing.
     let OfReader { rules, findings, option: (option, value) } = of_reader;
     let found = rules.iter().map(|rule| rule.violations).sum::<u64>();
     map.allow_empty |= found > 0;
@@ -180,8 +179,8 @@ pub fn audit_layer(
     Ok(told(report, Subject::Map(Box::new(imported)), options, InputKind::Map))
 }
 
-/// Reads a map onto a shelf, and judges it by its tiles: what [`audit`] says of it, but for the numbers of records, and with the size
-/// of the grid.
+/// Reads a map onto a shelf and judges it by tiles. The report equals [`audit`]'s, except that it lacks numbers of records and has the size of the
+/// grid.
 ///
 /// # Errors
 /// [`Error`].
@@ -212,7 +211,6 @@ fn judge(
     if is_geodesic { sphere::audit(imported, options, stage) } else { map::audit(imported, options, stage) }
 }
 
-/// A report as it was asked for.
 fn told(report: AuditReport, subject: Subject, options: &Options, kind: InputKind) -> Audited {
     let mut report = if options.explain { report } else { report.unexplained() };
     report.options.extend(as_json(options, kind));
@@ -224,7 +222,7 @@ fn told(report: AuditReport, subject: Subject, options: &Options, kind: InputKin
     Audited(Outcome::Report(Box::new(report), subject))
 }
 
-/// Judges a mesh that is in memory.
+/// Judges a mesh in memory.
 ///
 /// # Errors
 /// [`Error::Json`].
@@ -237,11 +235,11 @@ pub fn audit_mesh(name: &str, mesh: IndexedMesh, options: &Options) -> Result<Au
     Ok(Audited(Outcome::Report(Box::new(report), Subject::Mesh(mesh))))
 }
 
-/// Says what the summary of all tiles of a map says, in the words of an audit; where edges meet elsewhere than at vertices, with the findings of the
-/// summary of the same tiles with their edges cut. Features are known by their numbers. If tiles are left out of that summary, or were when their edges
-/// were cut, the report names them, and does not say what features cover.
+/// Reports the merged summary of all tiles of a map as an audit. Where edges meet away from vertices, the findings come from the summary of the same
+/// tiles with their edges cut. Features are known by their numbers. If tiles are missing from that summary, or were missing when edges were cut, the
+/// report names them and says nothing about coverage.
 ///
-/// `crs` is the coordinate reference system of the map, if it is another one than longitude and latitude on WGS 84.
+/// `crs` is the map's coordinate reference system, unless it is longitude and latitude on WGS 84.
 ///
 /// # Errors
 /// [`Error::Missing`] and [`Error::Tiles`]; [`Error::NoEdges`], unless a map may be empty.
@@ -258,7 +256,7 @@ pub fn audit_summary(
 }
 
 impl Audited {
-    /// The report of an audit that ended before there was an outcome: its verdict is not known. `why` is a sentence without full stop.
+    /// Returns the report of an audit that stopped before there was an outcome: its verdict is unknown. `why` is a sentence without a full stop.
     #[must_use]
     pub fn unfinished(name: &str, kind: InputKind, options: &Options, why: &str) -> Self {
         let report =
@@ -266,7 +264,7 @@ impl Audited {
         Self(Outcome::Report(Box::new(report), Subject::None))
     }
 
-    /// The verdict.
+    /// Returns the verdict.
     #[must_use]
     pub fn verdict(&self) -> Verdict {
         match &self.0 {
@@ -281,28 +279,28 @@ impl Audited {
         self.verdict() == Verdict::Valid
     }
 
-    /// Notes the bytes that were judged.
+    /// Records the judged bytes.
     pub fn judged(&mut self, judged: Judged) {
         if let Outcome::Report(report, _) = &mut self.0 {
             report.judged = Some(judged);
         }
     }
 
-    /// Notes the bytes of the layer by which it was judged.
+    /// Records the bytes of the other layer.
     pub fn judged_by(&mut self, layer: Judged) {
         if let Outcome::Report(report, _) = &mut self.0 {
             report.judged_by = Some(layer);
         }
     }
 
-    /// Notes a reason for which the verdict cannot be [`Verdict::Valid`], a sentence without full stop.
+    /// Records a reason why the verdict cannot be [`Verdict::Valid`], as a sentence without a full stop.
     pub fn doubt(&mut self, why: &str) {
         if let Outcome::Report(report, _) = &mut self.0 {
             report.doubts.push(why.to_owned());
         }
     }
 
-    /// Notes the time that it took, in milliseconds.
+    /// Records the elapsed time in milliseconds.
     pub const fn took(&mut self, elapsed_ms: f64) {
         match &mut self.0 {
             Outcome::Report(report, _) => report.elapsed_ms = elapsed_ms,
@@ -310,7 +308,7 @@ impl Audited {
         }
     }
 
-    /// The mesh that was judged, if it was one.
+    /// Returns the judged mesh, if the input is a mesh.
     #[must_use]
     pub const fn mesh(&self) -> Option<&IndexedMesh> {
         match &self.0 {
@@ -319,10 +317,10 @@ impl Audited {
         }
     }
 
-    /// The report for people, with the colours of [`words::style`](crate::words::style).
+    /// Returns the report for people, with the colours of [`words::style`](crate::words::style).
     ///
     /// # Errors
-    /// None that happens: writing to a string does not fail.
+    /// Never: writing to a string does not fail.
     pub fn text(&self) -> Result<String, std::fmt::Error> {
         match &self.0 {
             Outcome::Report(report, _) => text::text(report),
@@ -330,7 +328,7 @@ impl Audited {
         }
     }
 
-    /// The report as one JSON object, as `docs/report.md` of the library describes it.
+    /// Returns the report as one JSON object, described in `docs/report.md` of the library.
     ///
     /// # Errors
     /// [`Error::Json`].
@@ -341,7 +339,8 @@ impl Audited {
         })
     }
 
-    /// The findings of the coverage and those between layers that are listed, as a list of accepted ones, in JSON. Those that `before` has keep their reason and date.
+    /// Returns the listed findings of the coverage and between layers as a list of accepted findings, in JSON. Findings in `before` keep their reason
+    /// and date.
     ///
     /// # Errors
     /// [`Error::NoReport`] for files of tables, and [`Error::Json`].
@@ -350,7 +349,7 @@ impl Audited {
         Ok(json(&Accepted::all(findings, before, reason, date))?)
     }
 
-    /// The report as SARIF, which code hosts show.
+    /// Returns the report as SARIF, which code hosts show.
     ///
     /// # Errors
     /// [`Error::NoReport`] for files of tables, and [`Error::Json`].
@@ -358,7 +357,7 @@ impl Audited {
         Ok(json(&sarif::sarif(self.of_structure()?))?)
     }
 
-    /// The report as XML in the form of `JUnit`: a test case for each rule.
+    /// Returns the report as `JUnit` XML, with a test case for each rule.
     ///
     /// # Errors
     /// [`Error::NoReport`] for files of tables.
@@ -375,7 +374,7 @@ impl Audited {
         }
     }
 
-    /// The findings as a layer of GeoJSON, and warnings about it.
+    /// Returns the findings as a GeoJSON layer, with warnings about it.
     ///
     /// # Errors
     /// [`Error::NoPicture`] for meshes and files of tables, and [`Error::Write`].
@@ -383,7 +382,7 @@ impl Audited {
         findings_geojson::layer(self.drawn()?.0)
     }
 
-    /// The structure and what was found in one file, which a browser shows. A mesh is drawn as it is seen along the axis in which it extends least.
+    /// Returns the structure and its findings as one HTML file. A mesh is drawn along the axis of its smallest extent.
     ///
     /// # Errors
     /// [`Error::NoPicture`] for files of tables, and [`Error::Json`].
@@ -402,7 +401,7 @@ impl Audited {
         Ok(page::page(report, &picture)?)
     }
 
-    /// The verdict, and how many findings are listed, in a line.
+    /// Returns the verdict and the number of listed findings, in one line.
     ///
     /// # Errors
     /// [`Error::NoReport`] for files of tables.
@@ -415,7 +414,6 @@ impl Audited {
         Ok(format!("{}: {}; {listed}", plain(&report.input), plain(&report.sentence())))
     }
 
-    /// The report of a structure that can be drawn.
     const fn drawn(&self) -> Result<(&AuditReport, &Subject), Error> {
         match &self.0 {
             Outcome::Report(_, Subject::Mesh(_) | Subject::None) => Err(Error::NoPicture("a mesh")),

@@ -11,29 +11,29 @@ use twinedge_map::{FeatureId, PlanarMap};
 /// Two features and their border.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Border {
-    /// The number of the first feature.
+    /// The first feature's number.
     pub number: usize,
-    /// Its id in the file.
+    /// The first feature's id in the file.
     pub id: Option<String>,
-    /// Its name.
+    /// The first feature's name.
     pub name: String,
-    /// The number of the other one.
+    /// The second feature's number.
     pub other_number: usize,
-    /// Its id in the file.
+    /// The second feature's id in the file.
     pub other_id: Option<String>,
-    /// Its name.
+    /// The second feature's name.
     pub other_name: String,
-    /// The border of the first with the second.
+    /// The length of the border of the first feature with the second.
     pub length: f64,
-    /// The part of it on which one ends and the other begins.
+    /// The length on which one feature ends and the other begins.
     pub shared: f64,
     /// The number of lines of the border.
     pub lines: usize,
-    /// The area that both cover.
+    /// The area covered by both.
     pub overlap: f64,
 }
 
-/// All pairs of features with a border or an overlap, in the order of the features.
+/// Returns all pairs of features with a border or an overlap, in the order of the features.
 #[must_use]
 pub fn borders(map: &PlanarMap, noted: &Noted, units: &Units) -> Vec<Border> {
     let id = |feature: FeatureId| noted.ids.get(feature.index()).cloned().flatten();
@@ -51,7 +51,8 @@ pub fn borders(map: &PlanarMap, noted: &Noted, units: &Units) -> Vec<Border> {
                 (length, both.map(|face| units.area(map, face)).sum())
             }
         };
-        // If features overlap along a part of their border, that part is known in the units of the coordinates.
+        // If features overlap along part of their border, the length of that part is known only in the units of the
+        // coordinates.
         let shared = if plane > 0.0 { length * (border.shared / plane) } else { 0.0 };
         rows.push(Border {
             number: one.index(),

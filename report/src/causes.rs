@@ -7,10 +7,10 @@
 //!                       └─ T3 the genus of a map whose borders cross
 //! ```
 //!
-//! Findings of a coverage form a group where they touch and have two features in common: a border that was drawn twice. A group follows from a greater
-//! one that it touches if they have a feature in common. The cause is an invalid feature (C6), or else the largest finding. Duplicates (C5) are a cause
-//! each. Clashes of borders (G4) follow from the greatest finding about their features that they touch, and T3 from them. A map that was seen by its tiles has
-//! findings without shapes, so none but missing vertices is known to touch anything.
+//! Findings of a coverage form a group if they touch and share two features: a border that was drawn twice. A group follows from a greater group that
+//! it touches if they share a feature. The cause is an invalid feature (C6), or else the largest finding. Every duplicate (C5) is a cause of its own.
+//! Clashes of borders (G4) follow from the greatest finding about their features that they touch, and T3 follows from the clashes. Findings by tiles
+//! have no shapes, so only missing vertices are known to touch anything.
 
 use crate::reader_words::common;
 use std::cmp::Ordering;
@@ -19,15 +19,15 @@ use twinedge::validate::Rule;
 use twinedge_coverage::CoverageRule;
 use twinedge_formats::diagnosis::{Diagnosis, Position};
 
-/// Points touch if they are closer than this part of the largest coordinate: C6 computes a crossing of borders in another way than a map.
+/// Points touch if they are closer than this part of the largest coordinate: C6 computes crossings of borders differently from a map.
 const NEAR: f64 = 1.0 / (1_u64 << 36) as f64;
 
-/// The number of findings that are joined at one point, the greatest of each rule first.
+/// The number of findings joined at one point, the greatest of each rule first.
 const AT_A_POINT: usize = 8;
 
-/// Notes the cause of each listed finding and violation. `clashes` is the number of clashes of borders, listed or not. A clash is accepted with its cause
-/// if all findings that it touches are accepted, and T3 if all clashes are; findings of a coverage are accepted by themselves.
-/// O(n log n) for the n corners of all findings.
+/// Records the cause of each listed finding and violation. `clashes` counts the clashes of borders, listed or not. A clash is accepted with its cause
+/// if all findings that it touches are accepted; T3 is accepted if all clashes are. Findings of a coverage are accepted individually. O(n log n) for
+/// the n corners of all findings.
 pub(crate) fn trace(findings: &mut [Diagnosis], violations: &mut [Diagnosis], clashes: u64) {
     let sources = Findings::new(findings).sources();
     for (number, source) in sources.iter().enumerate() {
@@ -56,7 +56,7 @@ pub(crate) fn trace(findings: &mut [Diagnosis], violations: &mut [Diagnosis], cl
         });
     }
     let Some((source, reason)) = first else { return };
-    // One of the clashes that are not listed may be a cause.
+    // A clash that is not listed may be a cause.
     let reason = reason.filter(|_| is_accepted && listed == clashes);
     let follows = |one: &&mut Diagnosis| one.rule == Some(Rule::T3.id()) && one.follows_from.is_some();
     for genus in violations.iter_mut().filter(follows) {
@@ -74,7 +74,6 @@ fn is_rule(one: &Diagnosis, rule: CoverageRule) -> bool {
     one.rule == Some(rule.id())
 }
 
-/// The numbers of the features of a finding, sorted.
 fn numbers(one: &Diagnosis) -> Vec<usize> {
     let mut numbers: Vec<usize> = one.features.iter().flatten().map(|feature| feature.number).collect();
     numbers.sort_unstable();
@@ -82,13 +81,13 @@ fn numbers(one: &Diagnosis) -> Vec<usize> {
     numbers
 }
 
-/// The size of the common part of two sorted lists.
 fn in_common(a: &[usize], b: &[usize]) -> usize {
     let [short, long] = if a.len() < b.len() { [a, b] } else { [b, a] };
     short.iter().filter(|one| long.binary_search(one).is_ok()).count()
 }
 
-/// The corners of the shape of a finding, the defects of a feature, or the missing vertices. A single point of another finding is only a place to look at.
+/// The corners of a finding's shape, the defects of a feature, or the missing vertices. A single point of any other finding is only a place to look
+/// at.
 fn corners(one: &Diagnosis) -> impl Iterator<Item = Position> {
     let is_invalid = is_rule(one, CoverageRule::Validity);
     let rings = one.trace.polygons.iter().flatten().chain(&one.trace.lines).flatten();
@@ -96,14 +95,12 @@ fn corners(one: &Diagnosis) -> impl Iterator<Item = Position> {
     rings.chain(points).copied().chain(one.missing.iter().map(|vertex| vertex.at))
 }
 
-/// The findings of a coverage that can be causes.
 struct Findings<'a> {
     all: &'a [Diagnosis],
-    /// The features of each.
     features: Vec<Vec<usize>>,
-    /// The findings that have a corner in a cell of a grid.
+    /// The findings with a corner in each cell of a grid.
     at: HashMap<[i64; 2], Vec<usize>>,
-    /// Points touch if they are no farther apart in x and in y.
+    /// Points touch if they differ by at most this in x and in y.
     cell: f64,
 }
 
@@ -124,12 +121,11 @@ impl<'a> Findings<'a> {
         Self { all, features, at, cell }
     }
 
-    /// The findings with a corner in a cell.
     fn in_cell(&self, cell: [i64; 2]) -> impl Iterator<Item = usize> {
         self.at.get(&cell).into_iter().flatten().copied()
     }
 
-    /// The order of causes: an invalid feature first, then by area; missing vertices last.
+    /// The order of causes: invalid features first, then by area; missing vertices last.
     fn greater(&self, a: usize, b: usize) -> Ordering {
         let weight = |one: usize| match &self.all[one] {
             one if is_rule(one, CoverageRule::Validity) => f64::INFINITY,
@@ -138,12 +134,12 @@ impl<'a> Findings<'a> {
         weight(b).total_cmp(&weight(a)).then(a.cmp(&b))
     }
 
-    /// The pairs of findings that touch and are not accepted, and the number of features that they have in common, if there is one.
+    /// Returns the pairs of unaccepted findings that touch and share features, with the number of shared features.
     fn touching(&self) -> Vec<([usize; 2], usize)> {
         let joined = |cell| self.in_cell(cell).filter(|one| self.all[*one].accepted.is_none()).take(AT_A_POINT);
         let mut pairs = Vec::new();
         for [x, y] in self.at.keys().copied() {
-            // Each two neighbouring cells once.
+            // Visits each pair of neighbouring cells once.
             for beside in
                 [[0, 0], [1, -1], [1, 0], [1, 1], [0, 1]].map(|[dx, dy]| [x.saturating_add(dx), y.saturating_add(dy)])
             {
@@ -157,7 +153,7 @@ impl<'a> Findings<'a> {
         pairs.into_iter().filter(|[a, b]| a != b).map(counted).filter(|(_, count)| *count > 0).collect()
     }
 
-    /// Of each finding the one that it follows from, if there is one.
+    /// Returns the source of each finding that follows from another one.
     fn sources(&self) -> Vec<Option<usize>> {
         let pairs = self.touching();
         let mut groups = Groups((0..self.all.len()).collect());
@@ -178,7 +174,7 @@ impl<'a> Findings<'a> {
         lesser.sort_by(|a, b| self.greater(*a, *b));
         let mut causes: Vec<Option<usize>> = vec![None; self.all.len()];
         for group in lesser {
-            // A group that follows from another one is no cause.
+            // A group that follows from another group is no cause.
             let greater = beside[&group].iter().copied().filter(|other| causes[*other].is_none());
             causes[group] = greater.min_by(|a, b| self.greater(*a, *b));
         }
@@ -193,8 +189,8 @@ impl<'a> Findings<'a> {
         if self.greater(a, b).is_le() { [a, b] } else { [b, a] }
     }
 
-    /// The explanation of a clash of borders: findings that touch it, about two of its features, or an invalid one. Missing vertices explain only the
-    /// clashes at them. O(findings there).
+    /// Explains a clash of borders by findings that touch it and are about two of its features or an invalid one. Missing vertices explain only
+    /// clashes at their places. O(findings there).
     fn explanation(&self, clash: &Diagnosis) -> Option<Explanation> {
         let is_at_missing_vertex = clash.follows_from == Some(CoverageRule::Mismatch.id());
         let features = numbers(clash);
@@ -212,34 +208,33 @@ impl<'a> Findings<'a> {
             let is_enough = shared > usize::from(!is_rule(one, CoverageRule::Validity));
             is_enough && is_rule(one, CoverageRule::Mismatch) == is_at_missing_vertex
         };
-        // Two borders that cross say more than that one of the features is invalid.
+        // Two crossing borders say more than one invalid feature.
         let order = |a: &usize, b: &usize| {
             let is_of_one = |one: &usize| is_rule(&self.all[*one], CoverageRule::Validity);
             is_of_one(a).cmp(&is_of_one(b)).then(self.greater(*a, *b))
         };
         let is_accepted = about.iter().all(|one| self.all[*one].accepted.is_some());
-        // An accepted finding is told no more, so nothing that counts follows from it.
+        // An accepted finding is not reported again, so nothing that counts follows from it.
         let is_open = |one: &usize| is_accepted || self.all[*one].accepted.is_none();
         let greatest = about.into_iter().filter(explains).filter(is_open).min_by(order)?;
         Some(Explanation { greatest, is_accepted })
     }
 }
 
-/// The explanation of a clash of borders.
 struct Explanation {
-    /// The greatest finding, those about two of the features first.
+    /// The greatest finding; findings about two of the features come first.
     greatest: usize,
-    /// All findings that touch the clash are accepted.
+    /// True if all findings that touch the clash are accepted.
     is_accepted: bool,
 }
 
-/// The places at which a clash of borders has corners of what it makes: the crossing, or both ends of an overlap.
+/// Returns the places where the findings caused by a clash have corners: the crossing, or both ends of an overlap.
 fn places(clash: &Diagnosis) -> Vec<Position> {
     let ends = clash.places.as_deref().filter(|_| clash.kind.name().ends_with("overlap")).and_then(common);
     ends.map_or_else(|| clash.look.into_iter().collect(), |ends| ends.to_vec())
 }
 
-/// Groups of findings. Each finding has one that is greater, or is the greatest of its group itself.
+/// Groups of findings: each finding points to a greater one, or is the greatest of its group.
 struct Groups(Vec<usize>);
 
 impl Groups {

@@ -1,25 +1,25 @@
-//! Certificates as they are in a folder: `claim.txt` and a file for each column (`proofs/coq/CERTIFICATE.md`).
+//! Certificates in a folder: `claim.txt` and a file for each column (`proofs/coq/CERTIFICATE.md`).
 
 use twinedge_certificate::{Certificate, Column, Columns, Failure, SurfaceCertificate, check_drawing};
 
 /// The first line of `claim.txt`; the second one is the claim.
 pub const FIRST_LINE: &str = "twinedge certificate 1\n";
 
-/// The files of the points of a drawing.
+/// The files with the points of a drawing.
 pub const POINT_FILES: [&str; 2] = ["point_x.i64", "point_y.i64"];
 
-/// The file of a column.
+/// Returns the name of a column's file.
 #[must_use]
 pub fn file_name(column: Column) -> String {
     format!("{}.u32", column.name())
 }
 
-/// A claim of which a certificate can be.
+/// The claim of a certificate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Claimed {
     /// A plane subdivision.
     Plane,
-    /// The same, drawn without crossings.
+    /// A plane subdivision drawn without crossings.
     Drawing,
     /// A surface.
     Surface,
@@ -28,7 +28,7 @@ pub enum Claimed {
 impl Claimed {
     const ALL: [Self; 3] = [Self::Plane, Self::Drawing, Self::Surface];
 
-    /// The second line of `claim.txt`.
+    /// Returns the second line of `claim.txt`.
     #[must_use]
     pub const fn line(self) -> &'static str {
         match self {
@@ -38,14 +38,14 @@ impl Claimed {
         }
     }
 
-    /// The claim of a file that begins so; none, if there is none that is known.
+    /// Returns the claim of a file with this beginning; `None` if the claim is unknown.
     #[must_use]
     pub fn of(claim: &[u8]) -> Option<Self> {
         let claimed = claim.strip_prefix(FIRST_LINE.as_bytes())?;
         Self::ALL.into_iter().find(|claim| claimed.starts_with(claim.line().as_bytes()))
     }
 
-    /// The columns that it is about.
+    /// Returns the columns of the claim.
     #[must_use]
     pub fn columns(self) -> Vec<Column> {
         match self {
@@ -55,7 +55,7 @@ impl Claimed {
         }
     }
 
-    /// Checks columns, and gives the claim in words, or the tests that fail. None, if columns of one kind of record have different lengths.
+    /// Checks columns. Returns the claim in words or the failed tests; `None` if columns of one kind of record differ in length.
     pub fn check<C: Columns>(self, columns: &C) -> Option<Result<String, Vec<Failure>>> {
         Some(match self {
             Self::Plane => check_plane(&Certificate::from_columns(columns)?, None::<&C>),
@@ -65,10 +65,10 @@ impl Claimed {
     }
 }
 
-/// The claim of a certificate of a plane subdivision in words, or the tests that fail.
+/// Checks a certificate of a plane subdivision, and returns the claim in words.
 ///
 /// # Errors
-/// The tests that fail.
+/// The failed tests.
 pub fn check_plane<C: Columns, D: Columns>(
     certificate: &Certificate<C>,
     drawing: Option<&D>,
@@ -83,10 +83,10 @@ pub fn check_plane<C: Columns, D: Columns>(
     }
 }
 
-/// The claim of a certificate of a surface in words, or the tests that fail.
+/// Checks a certificate of a surface, and returns the claim in words.
 ///
 /// # Errors
-/// The tests that fail.
+/// The failed tests.
 pub fn check_surface<C: Columns>(certificate: &SurfaceCertificate<C>) -> Result<String, Vec<Failure>> {
     certificate.check().map(|counts| counts.to_string())
 }

@@ -1,4 +1,4 @@
-//! The rules of a coverage, C1 … C7, in the report of `audit` and as the answer of `query coverage`.
+//! The rules of a coverage, C1 … C7, in the report of `audit` and the answer of `query coverage`.
 
 use crate::coverage_words::explanation;
 use crate::diagnosis_text::size;
@@ -36,56 +36,54 @@ pub struct Coverage {
     near_misses: usize,
     slivers: usize,
     duplicates: usize,
-    /// Features, not defects. None, if edges are great circles.
+    /// The number of features, not defects; `None` if edges are great circles.
     ogc_invalid: Option<usize>,
-    /// Pairs of features, not vertices.
+    /// The number of pairs of features, not vertices.
     mismatches: usize,
-    /// Of lengths; areas are in its square.
+    /// The unit of lengths; areas are in square units.
     unit: &'static str,
-    /// The reason why all but C6 were not checked.
+    /// The reason why only C6 was checked.
     #[serde(skip_serializing_if = "Option::is_none")]
     not_checked: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     gap_width: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     sliver_area: Option<f64>,
-    /// Gaps that are wider than `lake_width`, or `gap_width`, where one of these was asked for. They are not among the findings.
+    /// The number of gaps wider than `lake_width` or `gap_width`, if one of these is given. They are not among the findings.
     wider_gaps: usize,
-    /// The width from which on gaps are wider.
+    /// The width from which gaps are no findings.
     #[serde(skip)]
     greatest_gap: Option<f64>,
-    /// Gaps that were accepted by their place. They are not among the findings either.
+    /// The number of gaps accepted by their place. They are not among the findings.
     accepted_gaps: usize,
-    /// The accepted places in which there is no gap.
     #[serde(skip)]
     unmet: Vec<Point>,
-    /// The first of each rule, the largest first.
+    /// The first findings of each rule, the largest first.
     findings: Vec<Diagnosis>,
     #[serde(skip)]
     has_polygons: bool,
     /// The missing vertices, sorted by place, each with the two features of its mismatch.
     #[serde(skip)]
     missing: Vec<(Position, [usize; 2])>,
-    /// The map of the input with its borders cut, where the findings are of that one.
+    /// The map of the input with its borders cut, if the findings refer to that map.
     #[serde(skip)]
     of_input: Option<PlanarMap>,
-    /// The words after a limit, if it is not in the unit of lengths.
+    /// The words after a limit, if its unit is not the unit of lengths.
     #[serde(skip)]
     limits_in: &'static str,
 }
 
-/// The reason why C6 is not asked where edges are great circles.
+/// The reason why C6 is not checked if edges are great circles.
 const STRAIGHT_ONLY: &str = "it is about edges that are straight on the map; rings that cross themselves break G4";
 
-/// Rule, kind, features, area, width, length, and the coordinates of the place.
+/// A row of the table of findings: rule, kind, features, area, width, length, and the coordinates of the place.
 pub type Row<'a> = (&'a str, &'a str, String, Option<f64>, Option<f64>, Option<f64>, Option<f64>, Option<f64>);
 
-/// The number of defects of each kind that are listed of a feature.
 const DEFECTS: usize = 20;
 
 impl Coverage {
-    /// Asks all rules. Overlaps and gaps are those of the input: where borders cross they are cut on the finest grid, and where a
-    /// grid was asked for, what it removed or made is found by comparing. `builder` is that of the map, if it was kept.
+    /// Checks all rules. Overlaps and gaps refer to the input, with crossing borders cut on the finest grid. If a grid was requested, comparing finds
+    /// the features that it removed or made. `builder` is the map's builder, if it was kept.
     #[must_use]
     pub fn new(
         imported: &Imported,
@@ -99,7 +97,7 @@ impl Coverage {
         Self::of(imported, asked, units, list, judgement)
     }
 
-    /// The findings of a map that was seen by its tiles, or why there are none. A map that is plane has no mismatches.
+    /// The findings of a map judged by tiles, or the reason why there are none. A plane map has no mismatches.
     pub(crate) fn of_tiles(
         imported: &Imported,
         asked: &CoverageOptions,
@@ -119,7 +117,6 @@ impl Coverage {
         Self::of(imported, asked, units, list, found.map(judgement))
     }
 
-    /// Nothing was found yet.
     fn empty(imported: &Imported, asked: &CoverageOptions, units: &Units) -> Self {
         Self {
             overlaps: 0,
@@ -141,22 +138,20 @@ impl Coverage {
             missing: Vec::new(),
             has_polygons: imported.read.polygons > 0,
             of_input: None,
-            // Limits are in the units of the coordinates.
             limits_in: if matches!(units, Units::Geodesic(_)) { " degrees" } else { "" },
         }
     }
 
-    /// Nothing was found yet on a map whose edges are great circles. Limits are in metres.
+    /// Creates a coverage without findings for a map whose edges are great circles. Limits are in metres.
     pub(crate) fn of_great_circles(imported: &Imported, asked: &CoverageOptions) -> Self {
         Self { ogc_invalid: None, limits_in: " metres", ..Self::empty(imported, asked, &Units::Plane(Units::METRES)) }
     }
 
-    /// Says why nothing but C6 was checked.
     pub(crate) fn cannot_check(&mut self, why: String) {
         self.not_checked = Some(why);
     }
 
-    /// Notes the limits that were chosen, and the gaps that are not listed.
+    /// Records the chosen limits and the number of gaps that are not listed.
     pub(crate) const fn limit_by(
         &mut self,
         [gap_width, sliver_area]: [f64; 2],
@@ -166,7 +161,7 @@ impl Coverage {
         (self.wider_gaps, self.accepted_gaps) = (wider_gaps, accepted_gaps);
     }
 
-    /// Counts a finding, and lists it if there are not so many of its rule yet.
+    /// Counts a finding, and lists it if fewer than `list` of its rule are listed.
     pub(crate) fn take(&mut self, rule: CoverageRule, list: usize, finding: impl FnOnce() -> Diagnosis) {
         let count = self.count_of(rule);
         *count += 1;
@@ -175,12 +170,11 @@ impl Coverage {
         }
     }
 
-    /// Notes missing vertices, each with the two features of its mismatch.
     pub(crate) fn note_missing(&mut self, missing: impl Iterator<Item = (Position, [usize; 2])>) {
         self.missing.extend(missing);
     }
 
-    /// Sorts the missing vertices, when all are noted.
+    /// Sorts the missing vertices; call it after the last `note_missing`.
     pub(crate) fn sort_missing(&mut self) {
         self.missing.sort_by(|(a, _), (b, _)| compare(a, b));
     }
@@ -216,7 +210,7 @@ impl Coverage {
         found
     }
 
-    /// Returns true if one of these places is a vertex that is missing between two of these features. O(places · log n).
+    /// Returns true if one of these places is a missing vertex between two of these features. O(places · log n).
     pub(crate) fn lacks_any(&self, places: &[Point], features: &BTreeSet<usize>) -> bool {
         places.iter().map(|place| position(*place)).any(|place| {
             let first = self.missing.partition_point(|(at, _)| compare(at, &place).is_lt());
@@ -225,7 +219,7 @@ impl Coverage {
         })
     }
 
-    /// Drops causes and remedies.
+    /// Removes causes and remedies.
     #[must_use]
     pub fn unexplained(self) -> Self {
         Self { findings: self.findings.into_iter().map(Diagnosis::unexplained).collect(), ..self }
@@ -239,12 +233,11 @@ impl Coverage {
             CoverageRule::Sliver => &mut self.slivers,
             CoverageRule::Duplicate => &mut self.duplicates,
             CoverageRule::Mismatch => &mut self.mismatches,
-            // C6 is not counted one by one.
+            // C6 is never counted here.
             _ => self.ogc_invalid.get_or_insert_default(),
         }
     }
 
-    /// The number of findings of each rule, in order.
     pub(crate) fn counts(&self) -> [(CoverageRule, usize); 7] {
         [
             (CoverageRule::Overlap, self.overlaps),
@@ -257,22 +250,19 @@ impl Coverage {
         ]
     }
 
-    /// The number of findings.
     pub(crate) fn total(&self) -> usize {
         self.counts().iter().map(|(_, count)| count).sum()
     }
 
-    /// The number of findings of a rule that were accepted.
     pub(crate) fn accepted(&self, rule: CoverageRule) -> usize {
         self.findings.iter().filter(|one| one.rule == Some(rule.id()) && one.accepted.is_some()).count()
     }
 
-    /// The number of findings that were not accepted.
     pub(crate) fn open(&self) -> usize {
         self.total() - self.findings.iter().filter(|one| one.accepted.is_some()).count()
     }
 
-    /// The causes that were found and not accepted, by their rules, in words, and whether rules were not checked; none, if all is well.
+    /// The unaccepted causes by rule, in words, and "not checked" if only C6 was checked; `None` if there is neither.
     pub(crate) fn outcome_in_words(&self) -> Option<String> {
         let of_rule = |(rule, count)| {
             let listed = self.findings.iter().filter(|one| one.rule == Some(CoverageRule::id(rule)));
@@ -284,7 +274,6 @@ impl Coverage {
         Some(parts.join(", ")).filter(|all| !all.is_empty())
     }
 
-    /// The verdict on the coverage alone.
     pub(crate) fn verdict(&self) -> Verdict {
         match (self.open(), &self.not_checked) {
             (1.., _) => Verdict::Invalid,
@@ -293,12 +282,10 @@ impl Coverage {
         }
     }
 
-    /// A warning for each accepted place in which there is no gap.
     pub(crate) fn warnings(&self) -> impl Iterator<Item = String> {
         self.unmet.iter().map(|at| no_gap_at(*at))
     }
 
-    /// Returns true if there is anything that could be a coverage.
     pub(crate) const fn has_polygons(&self) -> bool {
         self.has_polygons
     }
@@ -309,7 +296,6 @@ impl Coverage {
         self.not_checked.as_deref()
     }
 
-    /// The reason why a rule was not checked, if so.
     pub(crate) fn why_not(&self, rule: CoverageRule) -> Option<&str> {
         match rule {
             CoverageRule::Validity => Some(STRAIGHT_ONLY).filter(|_| self.ogc_invalid.is_none()),
@@ -317,23 +303,22 @@ impl Coverage {
         }
     }
 
-    /// The listed findings.
+    /// Returns the listed findings.
     #[must_use]
     pub fn findings(&self) -> &[Diagnosis] {
         &self.findings
     }
 
-    /// The unit of lengths.
     pub(crate) const fn unit(&self) -> &'static str {
         self.unit
     }
 
-    /// The map of the input with its borders cut, where the findings are of that one.
+    /// Returns the map of the input with its borders cut, if the findings refer to that map.
     pub(crate) const fn of_input(&self) -> Option<&PlanarMap> {
         self.of_input.as_ref()
     }
 
-    /// The listed findings, to be sorted and cut.
+    /// Returns the listed findings, for sorting and truncating.
     pub const fn findings_mut(&mut self) -> &mut Vec<Diagnosis> {
         &mut self.findings
     }
@@ -341,7 +326,7 @@ impl Coverage {
     /// Writes a line for each rule.
     ///
     /// # Errors
-    /// None that happens: writing to a string does not fail.
+    /// Never: writing to a string does not fail.
     pub fn write_rules(&self, out: &mut String, is_rule: bool) -> std::fmt::Result {
         for (rule, count) in self.counts() {
             write!(out, "  {:2}  {:12} ", rule.id(), rule.name())?;
@@ -361,7 +346,6 @@ impl Coverage {
         Ok(())
     }
 
-    /// The number of findings of a rule, with what they are called.
     fn found(&self, rule: CoverageRule) -> String {
         let count = self.counts().into_iter().find(|(other, _)| *other == rule).map_or(0, |(_, count)| count);
         let follow = |one: &&Diagnosis| one.rule == Some(rule.id()) && one.follows_from.is_some();
@@ -370,7 +354,6 @@ impl Coverage {
         beside.fold(words(rule, count), |found, (count, what)| format!("{found}, {} {what}", grouped(count)))
     }
 
-    /// The outcome of a rule, in words.
     pub(crate) fn outcome(&self, rule: CoverageRule) -> String {
         if let Some(why) = self.why_not(rule) {
             return format!("not checked: {why}");
@@ -379,7 +362,6 @@ impl Coverage {
         [self.found(rule)].into_iter().chain(self.limit(rule)).collect::<Vec<_>>().join(mark)
     }
 
-    /// The limit of a rule, for its line.
     fn limit(&self, rule: CoverageRule) -> Option<String> {
         let degrees = self.limits_in;
         match (rule, self.gap_width, self.sliver_area) {
@@ -393,7 +375,7 @@ impl Coverage {
         }
     }
 
-    /// The number of gaps that are no findings, if there are any.
+    /// The number of gaps that are not findings, in words.
     fn gaps_not_listed(&self, degrees: &str) -> Option<String> {
         let all = [
             (self.wider_gaps, self.greatest_gap.map(|width| format!("wider than {}{degrees} ", measure(width)))),
@@ -407,7 +389,6 @@ impl Coverage {
     }
 }
 
-/// A number of findings of a rule.
 pub(crate) fn words(rule: CoverageRule, count: usize) -> String {
     let [one, several] = match rule {
         CoverageRule::Overlap => ["overlap", "overlaps"],
@@ -422,7 +403,6 @@ pub(crate) fn words(rule: CoverageRule, count: usize) -> String {
     format!("{} {}", grouped(count), if count == 1 { one } else { several })
 }
 
-/// A finding of a map.
 fn diagnosis(
     imported: &Imported,
     asked: &CoverageOptions,
@@ -454,7 +434,6 @@ fn compare(a: &Position, b: &Position) -> Ordering {
     a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1]))
 }
 
-/// The missing vertices of a mismatch.
 fn missing(finding: &Finding) -> Vec<MissingVertex> {
     let of = |vertex: &twinedge_coverage::MissingVertex| MissingVertex {
         at: position(vertex.at),
@@ -463,7 +442,7 @@ fn missing(finding: &Finding) -> Vec<MissingVertex> {
     finding.missing.iter().map(of).collect()
 }
 
-/// Who lacks how many vertices.
+/// The number of vertices that each feature lacks, in words.
 pub(crate) fn lacks(features: &[FeatureName], missing: &[MissingVertex]) -> String {
     let of = |feature: &FeatureName| {
         let count = missing.iter().filter(|vertex| vertex.feature == feature.number).count();
@@ -473,7 +452,6 @@ pub(crate) fn lacks(features: &[FeatureName], missing: &[MissingVertex]) -> Stri
     features.iter().filter_map(of).collect::<Vec<_>>().join(", ")
 }
 
-/// The parts that all findings of a rule have in common.
 pub(crate) fn of_rule(rule: CoverageRule, asked: &CoverageOptions, at: Option<Point>) -> Diagnosis {
     let (cause, remedy) = explanation(rule);
     Diagnosis {
@@ -487,7 +465,6 @@ pub(crate) fn of_rule(rule: CoverageRule, asked: &CoverageOptions, at: Option<Po
     }
 }
 
-/// A feature that is not valid by the rules of the OGC.
 fn invalid(
     imported: &Imported,
     asked: &CoverageOptions,
@@ -505,7 +482,7 @@ fn invalid(
         shape: defect.shape,
         ring: defect.ring,
     };
-    // They are sorted by kind.
+    // The defects are sorted by kind.
     let defects_of_kind = || defects.chunk_by(|a, b| a.kind == b.kind);
     let mut reasons: Vec<String> = defects_of_kind().map(|kind| reason(&kind[0])).collect();
     if reasons.is_empty() {
@@ -522,12 +499,11 @@ fn invalid(
     }
 }
 
-/// Warns that there is no gap at an accepted place.
 pub(crate) fn no_gap_at(place: Point) -> String {
     format!("there is no gap at the accepted place ({}, {})", place.x, place.y)
 }
 
-/// A finding as a row of a table: the features by their ids, or else names, with semicolons between.
+/// Returns a finding as a row of a table. Features are given by id, or else name, separated by semicolons.
 #[must_use]
 pub fn row(one: &Diagnosis) -> Row<'_> {
     let features = one.features.iter().flatten().map(|feature| feature.key()).collect::<Vec<_>>().join(";");

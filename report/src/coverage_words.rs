@@ -2,7 +2,6 @@
 
 use twinedge_coverage::CoverageRule;
 
-/// The statement of a rule.
 pub(crate) const fn statement(rule: CoverageRule) -> &'static str {
     match rule {
         CoverageRule::Overlap => "no face is claimed by two features",
@@ -15,7 +14,6 @@ pub(crate) const fn statement(rule: CoverageRule) -> &'static str {
     }
 }
 
-/// The usual cause of a finding, and its remedy.
 pub(crate) const fn explanation(rule: CoverageRule) -> (&'static str, &'static str) {
     match rule {
         CoverageRule::Overlap => (

@@ -6,10 +6,10 @@ use std::collections::HashSet;
 use std::fmt::{Result, Write as _};
 use twinedge_formats::diagnosis::{Diagnosis, FeatureName, Measures, Records, RuleLine};
 
-/// Writes what was found, and where. Places of a coverage have so many decimal places at most.
+/// Writes a finding and its place. Coordinates of a coverage have at most `decimals` decimal places.
 ///
 /// # Errors
-/// None that happens: writing to a string does not fail.
+/// Never: writing to a string does not fail.
 pub fn write(out: &mut String, one: &Diagnosis, decimals: usize) -> Result {
     let rule = one.rule.unwrap_or(one.kind.name());
     if let (Records::None {}, Some(at)) = (&one.records, one.look) {
@@ -48,17 +48,17 @@ pub fn write(out: &mut String, one: &Diagnosis, decimals: usize) -> Result {
     Ok(())
 }
 
-/// The words for a finding that snapping removed or made.
+/// Returns the words for a finding that snapping removed or created.
 pub(crate) fn by_snapping(one: &Diagnosis) -> String {
     one.snapping.map_or_else(String::new, |what| format!(" ({what} by snapping)"))
 }
 
-/// The message, and whether snapping removed or made it.
+/// Returns the message, including the effect of snapping.
 pub(crate) fn message(one: &Diagnosis) -> String {
     format!("{}{}", one.message, by_snapping(one))
 }
 
-/// The message in words about features, if there are any, and the id of the finding from which it follows.
+/// Returns the message, in terms of features if there are any, with the id of the finding's cause.
 pub(crate) fn full_message(one: &Diagnosis) -> String {
     let source = one.follows_from_id.as_deref().or(one.follows_from);
     let follows = source.map_or_else(String::new, |source| format!(", which follows from {source}"));
@@ -71,7 +71,7 @@ pub(crate) fn size(Measures { area, width, length }: Measures) -> Option<String>
     Some(format!("area {area}, width {width}, borders of {length}"))
 }
 
-/// Writes how many more there are than were listed.
+/// Writes the number of findings that are not listed.
 pub(crate) fn write_more(out: &mut String, total: u64, listed: usize) -> Result {
     match total.saturating_sub(listed as u64) {
         0 => Ok(()),
@@ -79,7 +79,6 @@ pub(crate) fn write_more(out: &mut String, total: u64, listed: usize) -> Result 
     }
 }
 
-/// Writes causes and remedies, each once.
 pub(crate) fn write_explanations<'a>(out: &mut String, all: impl IntoIterator<Item = &'a Diagnosis>) -> Result {
     let mut told = HashSet::new();
     for one in all {
@@ -93,7 +92,6 @@ pub(crate) fn write_explanations<'a>(out: &mut String, all: impl IntoIterator<It
     Ok(())
 }
 
-/// Writes the outcome of a rule.
 pub(crate) fn write_rule(out: &mut String, rule: &RuleLine) -> Result {
     write!(out, "  {:2}  {:10} ", rule.id, rule.name)?;
     let checked = format!("{} {}", grouped(rule.checked), rule.unit);

@@ -4,19 +4,19 @@ use serde::Serialize;
 use serde_json::Value;
 use std::collections::BTreeMap;
 
-/// A measure is the same if it differs by less than this part of it, since it is rounded.
+/// The relative difference below which two measures are equal, since they are rounded.
 const ROUNDING: f64 = 1e-9;
 
-/// The findings of two reports by their ids, each list sorted.
+/// The findings of two reports, compared by id; each list is sorted.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Difference {
-    /// Those that only the second one has.
+    /// Ids that only the second report has.
     pub new: Vec<String>,
-    /// Those that only the first one has.
+    /// Ids that only the first report has.
     pub gone: Vec<String>,
-    /// Those that have other measures.
+    /// Ids with different measures.
     pub changed: Vec<String>,
-    /// The number of the others.
+    /// The number of unchanged findings.
     pub same: usize,
 }
 
@@ -24,31 +24,31 @@ pub struct Difference {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DifferenceError {
-    /// It is no report, or one without ids.
+    /// The value is not a report, or its findings have no ids.
     #[error("no report of `twinedge audit --format json`: {0}")]
     NoReport(&'static str),
-    /// It does not list all that was found.
+    /// The report does not list all findings.
     #[error("it lists {listed} of {found} findings; audit again with a greater --list")]
     NotAll {
-        /// The number of those that are listed.
+        /// The number of listed findings.
         listed: u64,
-        /// The number of all.
+        /// The number of all findings.
         found: u64,
     },
-    /// The audit did not end.
+    /// The audit did not finish.
     #[error("its audit did not end")]
     Unfinished,
 }
 
-/// A report as it was read, with what is compared of it.
+/// A parsed report: its findings by id.
 #[derive(Clone, Debug)]
 pub struct Compared(BTreeMap<String, Value>);
 
-/// The lists of the coverage that count what was found.
+/// The keys of the coverage that count findings.
 const COUNTS: [&str; 7] = ["overlaps", "gaps", "near_misses", "slivers", "duplicates", "ogc_invalid", "mismatches"];
 
 impl Compared {
-    /// Takes a report, as JSON.
+    /// Parses a report from JSON.
     ///
     /// # Errors
     /// [`DifferenceError`].
@@ -83,13 +83,13 @@ impl Compared {
         Ok(Self(all))
     }
 
-    /// Returns what is said of a finding.
+    /// Returns the JSON of a finding.
     #[must_use]
     pub fn get(&self, id: &str) -> Option<&Value> {
         self.0.get(id)
     }
 
-    /// Returns what another report, which is newer, has and this one has not, and the other way round. O(n log n).
+    /// Compares this report with a newer one. O(n log n).
     ///
     /// ```
     /// use serde_json::json;
@@ -120,7 +120,6 @@ impl Compared {
     }
 }
 
-/// Returns true if two findings of one id have the same measures.
 fn is_same(before: &Value, after: &Value) -> bool {
     let measures = ["area", "width", "length"].iter().all(|key| match (before[key].as_f64(), after[key].as_f64()) {
         (Some(a), Some(b)) => (a - b).abs() <= ROUNDING * a.abs().max(b.abs()),

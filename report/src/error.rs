@@ -11,28 +11,28 @@ use twinedge_formats::{layer, mesh, postgis};
 use twinedge_map::BuildError;
 use twinedge_sphere::DrawingError;
 
-/// The reason why an input has no report. The name of the input is not in the messages.
+/// The reason why an input has no report. Messages do not contain the input's name.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
     /// The input could not be read.
     #[error(transparent)]
     Io(#[from] io::Error),
-    /// It could not be read as a layer.
+    /// The input could not be read as a layer.
     #[error(transparent)]
     Layer(#[from] layer::ReadError),
-    /// No map can be built of it.
+    /// No map can be built from the input.
     #[error(transparent)]
     Build(#[from] BuildError),
-    /// A tile has no summary, or summaries of tiles cannot be merged, or are missing.
+    /// A tile has no summary, or summaries of tiles are missing or cannot be merged.
     #[error(transparent)]
     Tiles(#[from] AuditError<io::Error>),
-    /// Summaries are not those of all tiles.
+    /// The summaries do not cover all tiles.
     #[error("{} missing: {}", if *count == 1 { "1 tile is".to_owned() } else { format!("{} tiles are", grouped(*count)) }, in_words(tiles, *count))]
     Missing {
-        /// The first of the tiles that are missing.
+        /// The first missing tiles.
         tiles: Vec<Tile>,
-        /// The number of all.
+        /// The number of all missing tiles.
         count: u64,
     },
     /// The tiles do not say what features cover.
@@ -41,19 +41,19 @@ pub enum Error {
     /// Some tiles were made with their edges cut, and others without.
     #[error("{}, and others with cuts", made_without(tiles))]
     WithoutCuts {
-        /// Those without.
+        /// The tiles without cut edges.
         tiles: Vec<Tile>,
     },
-    /// There is no such grid.
+    /// The grid is invalid.
     #[error(transparent)]
     Grid(#[from] GridError),
-    /// It could not be read as a mesh.
+    /// The input could not be read as a mesh.
     #[error(transparent)]
     Mesh(#[from] mesh::ReadError),
-    /// It could not be read as a topology of PostGIS.
+    /// The input could not be read as a topology of PostGIS.
     #[error(transparent)]
     Postgis(#[from] postgis::ReadError),
-    /// It could not be read as the tables of a textbook.
+    /// The input could not be read as the tables of a textbook.
     #[error(transparent)]
     Textbook(#[from] TablesError),
     /// A line of a file of tables could not be read.
@@ -64,31 +64,31 @@ pub enum Error {
         /// The error.
         message: String,
     },
-    /// A layer was asked for of a file that has but one.
+    /// The options name a layer, but the file has only one.
     #[error(
         "there is no layer {layer:?}: this is {what}, and --layer is for files with several layers: GeoPackage, TopoJSON, and zip archives"
     )]
     NoLayer {
-        /// The layer that was asked for.
+        /// The requested layer.
         layer: String,
         /// The input, in words.
         what: String,
     },
-    /// No feature has a value in the column that was asked for.
+    /// No feature has a value in the requested column.
     #[error("no feature has a value in the column {column}; {}", there_are(known))]
     NoColumn {
         /// The column.
         column: String,
-        /// The first columns that there are.
+        /// The first known columns.
         known: Vec<String>,
     },
-    /// No feature can get the gaps.
+    /// No feature can receive the gaps.
     #[error("--gaps-to: {0}")]
     GapsTo(#[from] layer::clean::GapsToError),
     /// The layer could not be cleaned.
     #[error(transparent)]
     Clean(#[from] layer::clean::CleanError),
-    /// No feature has one of the values by which parts name their parents.
+    /// No feature has one of the values that name parents.
     #[error(
         "no feature has one of the values of {column} as its {key}, so that no parent is known; COLUMN=KEY says in which column parents \
 have them, and --against which layer they are in"
@@ -99,7 +99,7 @@ have them, and --against which layer they are in"
         /// The key of the parents.
         key: String,
     },
-    /// Two features have one key, so that it is not known which of them is a parent.
+    /// Two features have the same key, so the parent is ambiguous.
     #[error("two features have the {key} {value}, by which parts name their parents")]
     TwoParents {
         /// The key of the parents.
@@ -107,13 +107,13 @@ have them, and --against which layer they are in"
         /// The value.
         value: String,
     },
-    /// The layer by which another one is to be judged has no polygons.
+    /// The other layer has no polygons.
     #[error("{0} has no polygons, and the rules between layers are about these")]
     NoAreas(String),
-    /// The layer by which the input is to be judged could not be read.
+    /// The other layer could not be read.
     #[error("{input}: {why}")]
     Against {
-        /// Its name.
+        /// The layer's name.
         input: String,
         /// The reason.
         why: Box<Self>,
@@ -121,31 +121,31 @@ have them, and --against which layer they are in"
     /// The layers cannot be compared.
     #[error("the layers cannot be compared: {0}")]
     Layers(#[from] CoverageError),
-    /// A map is made of lines and polygons, and there are none.
+    /// The file has no lines or polygons to make a map of.
     #[error("a map is made of lines and polygons, and this file has {}; --allow-empty accepts it", instead(.0))]
     NoMap(Box<ReadSummary>),
-    /// A map is made of lines and polygons, and all tiles together have points alone.
+    /// The tiles contain only points: there are no lines or polygons to make a map of.
     #[error("a map is made of lines and polygons, and these tiles have none; --allow-empty accepts it")]
     NoEdges,
-    /// Lengths along the earth were asked for, and the coordinates are no longitudes and latitudes.
+    /// Lengths along the earth were requested, but the coordinates are not longitudes and latitudes.
     #[error(
         "--geodesic and --edges geodesic are for longitudes and latitudes, and the coordinates are not in their range, or the file names another coordinate \
 reference system"
     )]
     NotDegrees,
-    /// Edges were to be great circles, and something else was asked for that is about straight ones.
+    /// Edges along great circles do not go together with another option.
     #[error("--edges geodesic and {0} do not go together")]
     NotGeodesic(&'static str),
-    /// A file says that its edges are great circles, and they cannot be judged so.
+    /// The file says that its edges are great circles, and tiles cannot judge them.
     #[error("edges are {0} by the file, and straight in tiles: --edges straight judges them so")]
     NotStraight(String),
     /// Great circles cannot be drawn.
     #[error(transparent)]
     Drawing(#[from] DrawingError),
-    /// It is a mesh or a file of tables, which are not drawn.
+    /// Meshes and files of tables are not drawn.
     #[error("{0} is not drawn, so that there is no page and no layer of findings")]
     NoPicture(&'static str),
-    /// It is a file of tables, each of which has a verdict of its own.
+    /// The input is a file of tables: each table has its own verdict.
     #[error("a file of tables has a report in text and JSON only")]
     NoReport,
     /// The findings could not be written as a layer.
@@ -160,7 +160,7 @@ fn there_are(columns: &[String]) -> String {
     if columns.is_empty() { "there are no columns".to_owned() } else { format!("there are {}", columns.join(", ")) }
 }
 
-/// The contents of a file of which no map can be built.
+/// The contents of a file from which no map can be built.
 fn instead(read: &ReadSummary) -> String {
     let features = counted(read.features, "feature");
     match (read.features, read.points) {
@@ -176,7 +176,7 @@ impl From<layer::FileError> for Error {
             layer::FileError::Io(error) => error.into(),
             layer::FileError::Read(error) => error.into(),
             layer::FileError::Clean(error) => error.into(),
-            // A variant would make programs larger that never read files.
+            // A variant for these would enlarge programs that never read files.
             other => io::Error::other(other).into(),
         }
     }

@@ -13,7 +13,7 @@ use twinedge_formats::layer::{
     Crs, Dimensions, Feature, Format, Geometry, Header, Id, Layer, Members, Position, Shape, Value, losses, write,
 };
 
-/// One feature for each finding, all with the same columns, and warnings.
+/// Returns one feature for each finding, all with the same columns, and warnings.
 pub(crate) fn layer(report: &AuditReport) -> Result<(Vec<u8>, Vec<String>), Error> {
     let mut members = Members::new();
     members.insert("valid".to_owned(), (report.verdict() == Verdict::Valid).into());
@@ -23,7 +23,7 @@ pub(crate) fn layer(report: &AuditReport) -> Result<(Vec<u8>, Vec<String>), Erro
     let layer = Layer {
         header: Header {
             name: Some(format!("findings in {}", report.input)),
-            // Longitudes and latitudes need none.
+            // Longitudes and latitudes need no reference system.
             crs: report.crs.clone().filter(Crs::is_other),
             members,
             ..Header::default()
@@ -54,7 +54,6 @@ fn looks_like_degrees(feature: &Feature) -> bool {
     all
 }
 
-/// The names of the columns, which all features share.
 struct Columns([Arc<str>; 22]);
 
 impl Columns {
@@ -131,7 +130,7 @@ impl Columns {
     }
 }
 
-/// The shape of a finding, of one kind: its polygons, or else its lines, its points, or the place to look at.
+/// The shape of a finding: its polygons, or else its lines, its points, or the place to look at.
 fn shape(trace: &Trace, at: Option<Place>) -> Option<Shape> {
     let position = |p: &Place| Position::new(p[0], p[1]);
     let line = |line: &Vec<Place>| line.iter().map(position).collect::<Vec<_>>();

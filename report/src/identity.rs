@@ -1,7 +1,7 @@
-//! Ids of findings that are the same from run to run, and whatever the order of the features.
+//! Ids of findings that stay the same from run to run, for any order of the features.
 //!
-//! An id is made of the rule, the kind, the features by their ids, or else names, and a place: the first corner of what was found, in 30
-//! binary digits. What has no place is known by the names of its records. Two findings that have all of this in common are told apart by a number.
+//! An id is a digest of the rule, the kind, the features by id or else name, and a place: the finding's first corner, in 30 binary digits. A finding
+//! without a place is identified by the names of its records. A number tells findings apart that agree in all of this.
 
 use sha2::{Digest as _, Sha256};
 use std::collections::HashMap;
@@ -9,18 +9,16 @@ use std::fmt::Write as _;
 use twinedge::validate::Violation;
 use twinedge_formats::diagnosis::{Diagnosis, FeatureName, Figures, Kind, Position};
 
-/// The number of bytes of an id.
 const BYTES: usize = 8;
 
-/// The number of binary digits of the larger coordinate of a place.
+/// The number of binary digits for the larger coordinate of a place.
 const DIGITS: i32 = 30;
 
-/// Gives ids to findings.
 #[derive(Default)]
 pub(crate) struct Identities(HashMap<String, usize>);
 
 impl Identities {
-    /// Gives its id to a finding. O(its points).
+    /// Assigns an id to a finding. O(its points).
     pub(crate) fn identify(&mut self, one: &mut Diagnosis) {
         let rule = one.rule.unwrap_or(one.kind.name());
         let keys = |of: &'_ Option<Vec<FeatureName>>| {
@@ -44,7 +42,7 @@ impl Identities {
         if let Some([vertices, edges, cycles, genus]) = figures {
             let _ = write!(text, "{vertices} {edges} {cycles} {genus}");
         } else {
-            // Each with its length, so that different lists are different texts.
+            // Each name is preceded by its length, so that different lists are different texts.
             for feature in features {
                 let _ = write!(text, "{}:{feature}", feature.len());
             }
@@ -71,7 +69,7 @@ impl Identities {
     }
 }
 
-/// The first of all points of a finding, in order of x and then y.
+/// Returns the least point of a finding, in order of x and then y.
 fn first_corner(one: &Diagnosis) -> Option<Position> {
     let trace = &one.trace;
     let rings = trace.polygons.iter().flatten().chain(&trace.lines).flatten();
@@ -80,7 +78,7 @@ fn first_corner(one: &Diagnosis) -> Option<Position> {
     of_trace.reduce(|a, b| if a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])).is_le() { a } else { b })
 }
 
-/// A place in words: both coordinates in units of the last of the digits of the larger one.
+/// A place in words: both coordinates in units of the larger coordinate's last digit.
 fn on_grid([x, y]: Position) -> String {
     let largest = x.abs().max(y.abs());
     if largest == 0.0 {
@@ -113,7 +111,7 @@ mod tests {
         };
         let first = id(identified(vec![feature(0, "a"), feature(1, "b")], [1.0, 2.0]));
         assert!(first.starts_with("C1-") && first.len() == 3 + 16, "{first}");
-        // The numbers of the features do not matter, and neither does the order.
+        // The numbers and the order of the features do not matter.
         let again = id(identified(vec![feature(7, "b"), feature(3, "a")], [1.0, 2.0]));
         assert_eq!(again, format!("{first}-2"));
         let others = [
@@ -132,7 +130,7 @@ mod tests {
         assert_eq!(on_grid([-3.0 - 1e-10, 0.5]), "-1610612736 268435456 -29");
         assert_ne!(on_grid([3.0 + 1e-8, 0.5]), on_grid([3.0, 0.5]));
         assert_eq!(on_grid([0.0, -0.0]), "0 0");
-        // The smallest and the largest that the predicates take.
+        // The smallest and the largest coordinates that the predicates take.
         assert!(on_grid([1e-140, 1e-145]).ends_with(" -496"));
         assert!(on_grid([1e140, 0.0]).ends_with(" 435"));
     }

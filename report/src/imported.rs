@@ -1,4 +1,4 @@
-//! A map that was read and built.
+//! Reads the features of a map and builds it.
 
 use crate::error::Error;
 use crate::input::Input;
@@ -11,46 +11,46 @@ use twinedge_formats::layer::{Crs, Feature as LayerFeature, Format, Header, Laye
 use twinedge_geometry::noding::Snap;
 use twinedge_map::{BuildSummary, Builder, Feature, Noding, PlanarMap, UnmatchedVertex};
 
-/// The way to build a map.
+/// The options for building a map.
 #[derive(Clone, Debug, Default)]
 pub struct MapOptions {
-    /// The grid to which points are rounded where segments are cut; without one, nothing is cut.
+    /// The grid to which cut points are rounded; without a grid, no segments are cut.
     pub snap: Option<Snap>,
     /// The column that names the features.
     pub name_from: Option<String>,
-    /// A file without lines and polygons is no error.
+    /// Accepts a file without lines and polygons.
     pub allow_empty: bool,
 }
 
-/// A map that was read and built.
+/// A map, with notes on its input.
 #[derive(Debug)]
 pub struct Imported {
     /// The name of the input.
     pub name: String,
-    /// The numbers of what was read and dropped.
+    /// The reader's counts of read and dropped parts.
     pub read: ReadSummary,
     /// The map.
     pub map: PlanarMap,
-    /// Findings from the time when the map was gathered.
+    /// The builder's findings.
     pub summary: BuildSummary,
     /// The notes on the features.
     pub noted: Noted,
-    /// The builder of the map, if it was kept and the map is not plane or was snapped to a grid that was asked for.
+    /// The builder of the map, if it was kept: the map is not plane, or was snapped to a requested grid.
     pub builder: Option<Builder>,
     /// The vertices that borders of features lack (C7), if the coverage is judged.
     pub unmatched: Vec<UnmatchedVertex>,
-    /// The features as they were read, if they are kept.
+    /// The features as read, if they are kept.
     pub features: Vec<Feature>,
     /// The coordinate reference system, if the file names one.
     pub crs: Option<Crs>,
-    /// True if the format says which way rings turn.
+    /// True if the format prescribes the orientation of rings.
     pub orients_rings: bool,
-    /// The shape of edges, if the file says that they are not planar: `spherical`, or a way along an ellipsoid.
+    /// The shape of edges, if the file declares them not planar: `spherical`, or a kind of curve on an ellipsoid.
     pub edges: Option<String>,
 }
 
 impl Imported {
-    /// Reads a map, builds it and keeps what is asked for. `stage` is told what begins.
+    /// Reads a map and builds it. `keep` selects the notes to take; `stage` is called with the name of each step.
     ///
     /// # Errors
     /// [`Error`].
@@ -63,7 +63,7 @@ impl Imported {
         Self::built(options, keep, stage, |each| Gathered::new(input, options, keep, each))
     }
 
-    /// Builds the map of a layer that is in memory, as [`read`](Self::read) does.
+    /// Builds the map of a layer in memory, as [`read`](Self::read) does.
     ///
     /// # Errors
     /// [`Error`].
@@ -98,14 +98,14 @@ impl Imported {
         let (map, builder, unmatched) = match options.snap {
             None if keep.coverage => {
                 let (map, builder) = builder.build_keeping()?;
-                // Of a plane map, borders meet at vertices only.
+                // In a plane map, borders meet only at vertices.
                 let unmatched = builder.as_ref().map(Builder::unmatched).unwrap_or_default();
                 (map, builder, unmatched)
             }
             None => (builder.build()?, None, Vec::new()),
             Some(snap) if keep.coverage => {
                 let unmatched = builder.unmatched();
-                // Features that the grid removed or made are found by comparing.
+                // Comparing finds the features that the grid removed or created.
                 let kept = matches!(snap, Snap::Size(_)).then(|| builder.clone());
                 (builder.build_with(Noding::Snap(snap))?, kept, unmatched)
             }
@@ -114,12 +114,12 @@ impl Imported {
         Ok(Self { name, read, map, summary, noted, builder, unmatched, features, crs, orients_rings, edges })
     }
 
-    /// Returns true if the file says that edges between longitudes and latitudes are not straight.
+    /// Returns true if the file declares edges between longitudes and latitudes that are not straight.
     pub(crate) fn has_great_circles(&self) -> bool {
         self.edges.is_some() && self.noted.look_like_degrees(&self.read)
     }
 
-    /// All warnings about the input: edges are straight, whatever the file says.
+    /// Returns all warnings about the input, including that edges are judged as straight.
     pub(crate) fn warnings(&self) -> Vec<String> {
         let edges = self.edges.as_ref().map(|edges| {
             format!("the file says that its edges are {edges}, and they were judged as straight; --edges geodesic judges great circles")
@@ -127,8 +127,8 @@ impl Imported {
         self.noted.without_geometry().into_iter().chain(self.noted.warnings(&self.read)).chain(edges).collect()
     }
 
-    /// Reads the features of a map, puts them on a shelf, and builds no map of them: it has only their names, and the summary does not know
-    /// of segments that different features repeat.
+    /// Reads the features of a map onto a shelf without building the map: the result has only their names, and the summary does not know segments
+    /// repeated by different features.
     ///
     /// # Errors
     /// [`Error`].
@@ -149,7 +149,7 @@ impl Imported {
     }
 }
 
-/// A map without anything on it, whose features have these names.
+/// Creates an empty map whose features have these names.
 pub(crate) fn names(names: impl Iterator<Item = Option<String>>) -> Result<PlanarMap, Error> {
     let mut builder = Builder::new();
     for name in names {
@@ -158,7 +158,7 @@ pub(crate) fn names(names: impl Iterator<Item = Option<String>>) -> Result<Plana
     Ok(builder.build()?)
 }
 
-/// All that was gathered of an input.
+/// Everything gathered from an input.
 struct Gathered {
     name: String,
     read: ReadSummary,
@@ -201,7 +201,7 @@ impl Gathered {
         keep: Keep<'_>,
         (read, noted, header): (ReadSummary, Noted, Header),
     ) -> Result<Self, Error> {
-        // Points alone can be judged by another layer.
+        // A layer of points can be judged by another layer.
         let is_map = read.polygons + read.lines > 0 || keep.points && read.points > 0;
         if !options.allow_empty && !is_map {
             return Err(Error::NoMap(Box::new(read)));
@@ -212,7 +212,7 @@ impl Gathered {
     }
 }
 
-/// Reads features, notes what is to be known of each, and hands it on.
+/// Reads features, records the notes on each, and hands it on.
 fn gather(
     read: impl FnOnce(&mut HandOn<'_, LayerFeature>) -> Result<Header, ReadError>,
     mut noted: Noted,

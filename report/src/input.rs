@@ -12,26 +12,26 @@ use twinedge_formats::mesh::Format as MeshFormat;
 
 /// An input, opened.
 pub struct Input {
-    /// The name by which the report calls it.
+    /// The name of the input in the report.
     pub name: String,
     /// Its bytes.
     pub reader: Box<dyn BufRead>,
     /// The path, if it is a file.
     pub path: Option<PathBuf>,
-    /// The layer that was asked for, if the file may have several.
+    /// The requested layer, for files with several.
     pub layer: Option<String>,
-    /// Its format, if it is a layer whose format was said.
+    /// The format, if the caller named it.
     pub format: Option<Format>,
-    /// The numbers of the features, in order, whose geometry was left out since a coordinate is not finite.
+    /// The numbers of the features, in order, whose geometry was left out because a coordinate is not finite.
     pub not_finite: Vec<usize>,
-    /// The files among which the path leads, if it is in memory.
+    /// The files that `path` refers to, if they are in memory.
     pub files: Option<Arc<Files>>,
-    /// Something that is kept until the input is read, such as a folder to which it was unpacked.
+    /// A value kept until the input is read, such as a folder of unpacked files.
     pub kept: Option<Box<dyn Any>>,
 }
 
 impl Input {
-    /// An input with this name. Its path tells the format, where the content does not, and some formats are read by their path.
+    /// Creates an input. Its path tells the format if the content does not, and some formats are read by path.
     pub fn new(name: impl Into<String>, reader: Box<dyn BufRead>, path: Option<&Path>) -> Self {
         Self {
             name: name.into(),
@@ -45,13 +45,13 @@ impl Input {
         }
     }
 
-    /// The way to read its layer.
+    /// Returns the options for reading its layer.
     #[must_use]
     pub fn options(&self) -> ReadOptions {
         ReadOptions { format: self.format, layer: self.layer.clone(), files: self.files.clone() }
     }
 
-    /// Its first bytes, without reading them.
+    /// Returns its first bytes without consuming them.
     ///
     /// # Errors
     /// [`Error::Io`].
@@ -59,10 +59,10 @@ impl Input {
         Ok(self.reader.fill_buf()?)
     }
 
-    /// The format if it is a map.
+    /// Returns the format if the input is a map.
     ///
     /// # Errors
-    /// [`Error::NoLayer`], for a layer that is asked of a format whose files have one, and [`Error::Io`].
+    /// [`Error::NoLayer`], if a layer is requested from a format with one layer per file, and [`Error::Io`].
     pub fn map_format(&mut self) -> Result<Option<Format>, Error> {
         let options = self.options();
         let Ok(format) = format_of(self.reader.fill_buf()?, self.path.as_deref(), &options) else { return Ok(None) };
@@ -72,7 +72,7 @@ impl Input {
         Ok(Some(format))
     }
 
-    /// Refuses a layer that was asked for, unless it has the name of the file.
+    /// Refuses a requested layer, unless it has the name of the file.
     ///
     /// # Errors
     /// [`Error::NoLayer`].
@@ -84,7 +84,7 @@ impl Input {
         }
     }
 
-    /// The format if it is a mesh: by its name, or else by how it begins.
+    /// Returns the format if the input is a mesh, by its name or else by its beginning.
     ///
     /// # Errors
     /// [`Error::Io`].

@@ -10,7 +10,7 @@ use twinedge_formats::postgis::is_copy;
 /// The kind of an input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum InputKind {
-    /// A layer of which a map is built.
+    /// A layer to build a map of.
     Map,
     /// A mesh.
     Mesh(MeshFormat),
@@ -25,7 +25,7 @@ pub enum InputKind {
 }
 
 impl InputKind {
-    /// By what was asked for, a topology of PostGIS or arcs, or else by how the input begins.
+    /// Returns the kind: a topology of PostGIS or arcs if requested, or else by the beginning of the input.
     ///
     /// # Errors
     /// [`Error::Io`].
@@ -43,7 +43,7 @@ impl InputKind {
         })
     }
 
-    /// The kind in words.
+    /// Returns the kind in words.
     #[must_use]
     pub const fn words(self) -> &'static str {
         match self {

@@ -1,4 +1,4 @@
-//! The measures of ISO 19157 that count findings, by their numbers.
+//! The numbers of the ISO 19157 measures that count findings.
 
 use twinedge_coverage::{CoverageRule, DefectKind};
 use twinedge_formats::diagnosis::Diagnosis;
@@ -9,7 +9,7 @@ const UNDERSHOOT: u32 = 23;
 const SLIVER: u32 = 25;
 const SELF_INTERSECT: u32 = 26;
 
-/// The measure that counts a finding, if there is one: of C7 it counts each vertex that is missing.
+/// Returns the measure that counts a finding, if any. For C7, it counts each missing vertex.
 pub(crate) fn measure_of(one: &Diagnosis) -> Option<u32> {
     let rule = CoverageRule::ALL.into_iter().find(|rule| one.rule == Some(rule.id()))?;
     let crosses = [DefectKind::SelfIntersection, DefectKind::RingSelfIntersection].map(|kind| kind.to_string());

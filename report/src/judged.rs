@@ -1,4 +1,4 @@
-//! The bytes that were judged: their number and SHA-256.
+//! The number and SHA-256 of the judged bytes.
 
 use crate::verdict::Judged;
 use sha2::{Digest as _, Sha256};
@@ -6,7 +6,6 @@ use std::cell::RefCell;
 use std::io::{self, BufRead, Read};
 use std::rc::Rc;
 
-/// The digest of bytes, and their number.
 #[derive(Debug, Default)]
 struct Count {
     digest: Sha256,
@@ -26,7 +25,7 @@ impl Count {
 }
 
 impl Judged {
-    /// Bytes in memory. O(bytes).
+    /// Digests bytes in memory. O(bytes).
     #[must_use]
     pub fn of_bytes(bytes: &[u8]) -> Self {
         let mut count = Count::default();
@@ -34,10 +33,10 @@ impl Judged {
         count.judged()
     }
 
-    /// All bytes of a reader. O(bytes).
+    /// Digests all bytes of a reader. O(bytes).
     ///
     /// # Errors
-    /// Those of the reader.
+    /// Returns the reader's errors.
     pub fn of(mut reader: impl BufRead) -> io::Result<Self> {
         let mut count = Count::default();
         loop {
@@ -52,19 +51,19 @@ impl Judged {
     }
 }
 
-/// The bytes that came through a [`Counted`] reader.
+/// The digest of the bytes read through a [`Counted`] reader.
 #[derive(Debug)]
 pub struct Counter(Rc<RefCell<Count>>);
 
 impl Counter {
-    /// Returns what came through until now.
+    /// Returns the digest of the bytes read so far.
     #[must_use]
     pub fn judged(self) -> Judged {
         self.0.take().judged()
     }
 }
 
-/// A reader that counts the bytes that are read. What nobody read is read when it is dropped.
+/// A reader that digests the bytes it reads. On drop, it reads the remaining bytes.
 #[derive(Debug)]
 pub struct Counted<R: BufRead> {
     inner: R,
@@ -72,7 +71,7 @@ pub struct Counted<R: BufRead> {
 }
 
 impl<R: BufRead> Counted<R> {
-    /// A reader, and what counts its bytes.
+    /// Wraps a reader, and returns its counter.
     pub fn new(inner: R) -> (Self, Counter) {
         let count = Rc::new(RefCell::new(Count::default()));
         (Self { inner, count: Rc::clone(&count) }, Counter(count))
@@ -93,7 +92,7 @@ impl<R: BufRead> BufRead for Counted<R> {
     }
 
     fn consume(&mut self, length: usize) {
-        // All that is consumed is in the buffer, so nothing is read for it.
+        // All consumed bytes are in the buffer, so this reads nothing.
         if let Ok(bytes) = self.inner.fill_buf() {
             self.count.borrow_mut().add(&bytes[..length.min(bytes.len())]);
         }
@@ -115,7 +114,7 @@ mod tests {
     use crate::verdict::Judged;
     use std::io::Read as _;
 
-    /// The digest of `abc` is an example of FIPS 180-2.
+    /// FIPS 180-2 lists the digest of `abc` as an example.
     #[test]
     fn what_nobody_reads_counts_and_nothing_counts_twice() {
         let abc = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";

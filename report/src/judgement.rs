@@ -1,4 +1,4 @@
-//! The judgement of a map by the rules C1 … C5 and C7, as its features are, and as a grid made them.
+//! Judges a map by the rules C1 … C5 and C7, before and after snapping to a grid.
 
 use crate::imported::Imported;
 use crate::units::Units;
@@ -7,7 +7,7 @@ use twinedge_geometry::Point;
 use twinedge_geometry::noding::Snap;
 use twinedge_map::{BuildError, Builder, Noding, PlanarMap};
 
-/// The reason why all rules but C6 were not checked.
+/// The reason why only C6 was checked.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum NotChecked {
     #[error(transparent)]
@@ -18,14 +18,12 @@ pub(crate) enum NotChecked {
     TooFar(String),
 }
 
-/// The findings of all rules but C6.
 pub(crate) struct Judgement {
     pub(crate) findings: Vec<(Finding, Option<&'static str>)>,
     pub(crate) gap_width: f64,
     pub(crate) sliver_area: f64,
     pub(crate) wider_gaps: usize,
     pub(crate) accepted_gaps: usize,
-    /// The accepted places in which there is no gap.
     pub(crate) unmet: Vec<Point>,
     pub(crate) of_input: Option<PlanarMap>,
 }
@@ -48,7 +46,7 @@ pub(crate) fn judged(
         found.findings.extend(mismatches(map, &imported.unmatched)?);
         let converted = |mut finding: Finding| {
             units.convert(map, &mut finding);
-            // The vertices that were missing are those of the noding.
+            // Noding has added the missing vertices.
             let snapping = (finding.rule == CoverageRule::Mismatch).then_some("removed");
             (finding, snapping)
         };
@@ -61,7 +59,7 @@ pub(crate) fn judged(
     let of_input = builder.build_with(Noding::Snap(Snap::Auto))?;
     let mut found = check(&of_input, limits)?;
     found.findings.extend(mismatches(&of_input, &imported.unmatched)?);
-    // The same limits for both.
+    // Both maps are judged with the same limits.
     let limits = Limits { sliver_area: Some(found.sliver_area), ..limits.clone() };
     let snapped = match map.noding() {
         Some(_) => check(map, &limits)?.findings,

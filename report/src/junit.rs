@@ -1,4 +1,4 @@
-//! A report as XML in the form of `JUnit`, which servers of continuous integration show: a test case for each rule.
+//! A report as `JUnit` XML, which servers of continuous integration show: a test case for each rule.
 
 use crate::diagnosis_text::full_message;
 use crate::report::AuditReport;
@@ -7,20 +7,19 @@ use crate::words::{counted, escaped, plain};
 use std::fmt::Write as _;
 use twinedge_formats::diagnosis::{Diagnosis, FeatureName};
 
-/// The outcome of a test case.
 enum Outcome {
     Passed,
     Failed(String),
-    /// The reason why it was not run.
+    /// The reason why the test case was not run.
     Skipped(String),
-    /// The reason why nothing is known.
+    /// The reason why the outcome is unknown.
     Error(String),
 }
 
-/// The report. A rule fails where it makes the input invalid; a verdict that is not known is an error.
+/// Returns the report. A rule fails if it makes the input invalid; an unknown verdict is an error.
 ///
 /// # Errors
-/// None that happens: writing to a string does not fail.
+/// Never: writing to a string does not fail.
 pub(crate) fn junit(report: &AuditReport) -> Result<String, std::fmt::Error> {
     let cases = cases(report);
     let count = |is: fn(&Outcome) -> bool| cases.iter().filter(|(_, outcome)| is(outcome)).count();
@@ -60,7 +59,7 @@ fn cases(report: &AuditReport) -> Vec<(String, Outcome)> {
         told.map(line).collect::<Vec<_>>().join("\n")
     };
     let is_rule = report.style.is_rule;
-    // Consequences of findings that fail a case of their own fail no other case.
+    // Consequences of a finding whose test case fails do not fail another case.
     let failed = |id: &str, count: u64| {
         let of_rule = || report.listed().filter(|one| one.rule == Some(id) && one.accepted.is_none());
         let follows = |one: &Diagnosis| one.follows_from.filter(|_| is_rule);
@@ -102,7 +101,6 @@ fn cases(report: &AuditReport) -> Vec<(String, Outcome)> {
     all
 }
 
-/// A finding in a line.
 fn line(one: &Diagnosis) -> String {
     let features: Vec<String> = one.features.iter().flatten().map(FeatureName::title).collect();
     let who = if features.is_empty() { String::new() } else { format!(" ({})", features.join(", ")) };

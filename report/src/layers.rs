@@ -22,14 +22,12 @@ use twinedge_geometry::Point;
 use twinedge_geometry::noding::Snap;
 use twinedge_map::{Builder, Feature, FeatureId, Noding, PlanarMap, Shape};
 
-/// The other layer.
 pub(crate) struct Other {
     imported: Imported,
     features: Vec<Feature>,
 }
 
 impl Other {
-    /// Reads it.
     pub(crate) fn read(input: Input, options: &Options) -> Result<Self, Error> {
         let columns: Vec<String> =
             options.parent.iter().map(|parent| parent.key.clone().unwrap_or_else(|| parent.column.clone())).collect();
@@ -47,7 +45,7 @@ impl Other {
     }
 }
 
-/// Judges a map by another layer, or by parents among its own features, and adds to the report what is found.
+/// Judges a map by another layer, or by parents among its own features, and adds the findings to the report.
 pub(crate) fn judge(
     imported: &Imported,
     other: Option<&Other>,
@@ -63,7 +61,7 @@ pub(crate) fn judge(
     let mut rules = Vec::new();
     if other.is_some() {
         let points = both.points();
-        // A map that is cut is plane.
+        // A noded map is plane.
         found.extend(check(&both.map, count, &points)?);
         rules.extend(both.rules(points.len()));
     }
@@ -101,7 +99,7 @@ pub(crate) fn judge(
     Ok(())
 }
 
-/// The area that a feature of one layer and a feature of another have in common, or that one of them has alone.
+/// The common area of a feature of one layer and a feature of another, or the area that only one of them covers.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Shared {
     /// The feature of the first layer.
@@ -113,7 +111,7 @@ pub struct Shared {
 }
 
 impl Shared {
-    /// The row of a table: both features by their ids, or else names, and the area.
+    /// Returns the row of a table: both features by id, or else name, and the area.
     #[must_use]
     pub fn row(&self) -> (String, String, f64) {
         let key = |one: &Option<FeatureName>| one.as_ref().map(FeatureName::key).unwrap_or_default();
@@ -121,12 +119,12 @@ impl Shared {
     }
 }
 
-/// The areas that the features of a map, which was read with its features kept, have in common with those of another layer.
+/// Returns the common areas of a map's features and another layer's features. The map must have been read with its features kept.
 ///
 /// O((n + k) log n) for n segments of both that meet k times.
 ///
 /// # Errors
-/// [`Error`], if the other layer could not be read, or the layers cannot be compared.
+/// [`Error`], if the other layer cannot be read or the layers cannot be compared.
 pub fn shared(
     imported: &Imported,
     other: Input,
@@ -148,7 +146,7 @@ pub fn shared(
     Ok(pieces(&both.map, imported.features.len())?.into_iter().map(of).collect())
 }
 
-/// The map of the features of both layers, with its edges cut where they meet.
+/// Builds the map of both layers, with edges cut where they meet.
 fn noded(imported: &Imported, other: Option<&Other>, snap: Option<Snap>) -> Result<PlanarMap, Error> {
     let mut builder = Builder::new();
     for feature in imported.features.iter().chain(other.iter().flat_map(|other| &other.features)) {
@@ -163,7 +161,7 @@ fn noded(imported: &Imported, other: Option<&Other>, snap: Option<Snap>) -> Resu
     })
 }
 
-/// Both layers on one map: the features of the audited one, and then those of the other.
+/// Both layers on one map: first the features of the audited layer, then the features of the other.
 struct Both<'a> {
     imported: &'a Imported,
     other: Option<&'a Other>,
@@ -171,7 +169,6 @@ struct Both<'a> {
 }
 
 impl Both<'_> {
-    /// The points of the audited layer.
     fn points(&self) -> Vec<(FeatureId, Point)> {
         let of = |(id, feature): (FeatureId, &Feature)| {
             let points = feature.shapes.iter().filter_map(|shape| match shape {
@@ -183,7 +180,7 @@ impl Both<'_> {
         self.map.features().zip(&self.imported.features).flat_map(of).collect()
     }
 
-    /// The rules that are asked of what the audited layer holds, with the number of what is judged.
+    /// Returns the rules that apply to the audited layer, with the number and kind of judged items.
     fn rules(&self, points: usize) -> Vec<(LayerRule, usize, &'static str)> {
         let has = |is: fn(&Shape) -> bool| {
             self.imported.features.iter().filter(|feature| feature.shapes.iter().any(is)).count()
@@ -201,7 +198,6 @@ impl Both<'_> {
         all.into_iter().filter(|(is_asked, ..)| *is_asked).map(|(_, rule, count, unit)| (rule, count, unit)).collect()
     }
 
-    /// The parent of each feature of the audited layer.
     fn parents(&self, asked: &ParentColumn) -> Result<Vec<Parent>, Error> {
         let ParentColumn { column, key } = asked;
         let own = &self.imported.noted;
@@ -247,7 +243,7 @@ impl Both<'_> {
         Ok(parents)
     }
 
-    /// A feature of the map by its names in its layer.
+    /// Returns a feature's names in its layer.
     fn named(&self, feature: FeatureId) -> FeatureName {
         let of_other = feature.index().checked_sub(self.imported.features.len()).zip(self.other);
         let in_other =
@@ -271,7 +267,7 @@ impl Both<'_> {
         if let Some(how_large) = how_large {
             message = format!("{message}; {how_large}");
         }
-        // A part without area has no face to look at.
+        // A part without area has no face to point at.
         let at = if finding.deviation == Deviation::UnknownParent && !has_faces {
             finding.features.first().and_then(|part| self.first_point(*part))
         } else {
@@ -295,7 +291,7 @@ impl Both<'_> {
         }
     }
 
-    /// The first point of a feature of the audited layer, if it has any.
+    /// Returns the first point of a feature of the audited layer.
     fn first_point(&self, feature: FeatureId) -> Option<Point> {
         self.imported.features.get(feature.index())?.shapes.iter().find_map(|shape| match shape {
             Shape::Polygon(rings) => rings.first()?.first().copied(),
@@ -304,7 +300,7 @@ impl Both<'_> {
         })
     }
 
-    /// The finding in words, with the features of the other layer.
+    /// Describes the finding, including the features of the other layer.
     fn message(&self, finding: &LayerFinding, features: &[FeatureName], others: &[FeatureName]) -> String {
         let layer = self.other.map_or_else(|| "this layer".to_owned(), |other| plain(&other.imported.name));
         let names = listed(others);
@@ -334,7 +330,7 @@ impl Both<'_> {
     }
 }
 
-/// The first names, and the number of the others.
+/// The first names, and the number of further ones.
 fn listed(features: &[FeatureName]) -> String {
     let labels: Vec<&str> = features.iter().map(|one| &*one.label).collect();
     match labels.split_at(labels.len().min(3)) {
@@ -343,7 +339,6 @@ fn listed(features: &[FeatureName]) -> String {
     }
 }
 
-/// The usual cause of a finding, and its remedy.
 const fn explanation(deviation: Deviation) -> (&'static str, &'static str) {
     match deviation {
         Deviation::NotWithin | Deviation::NoBorder | Deviation::OffBorder => (

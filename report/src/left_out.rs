@@ -1,11 +1,11 @@
-//! Tiles that were left out, by name.
+//! Names of missing tiles.
 
 use crate::error::Error;
 use crate::tile_words::{NAMED, of_tiles};
 use twinedge_coverage::tile::{Crossing, CrossingKind, Grid, Outcome, Summary, Tile};
 use twinedge_geometry::Point;
 
-/// Refuses a summary that is not of all tiles. O(tiles of the summary).
+/// Refuses a summary that does not cover all tiles. O(tiles of the summary).
 pub(crate) fn refuse_missing(summary: &Summary) -> Result<(), Error> {
     let [columns, rows] = summary.grid().size().map(u64::from);
     let count = (columns * rows).saturating_sub(summary.tiles().len() as u64);
@@ -14,12 +14,12 @@ pub(crate) fn refuse_missing(summary: &Summary) -> Result<(), Error> {
     if missing.is_empty() { Ok(()) } else { Err(Error::Missing { tiles: missing, count }) }
 }
 
-/// The tiles of a summary that are none of another one, which is that of the same tiles with their edges cut.
+/// Returns the tiles of `whole` that `cut`, the summary of the same tiles with their edges cut, does not have.
 pub(crate) fn without_cuts(whole: &Summary, cut: &Summary) -> Vec<Tile> {
     whole.tiles().iter().copied().filter(|tile| cut.tiles().binary_search(tile).is_err()).collect()
 }
 
-/// Refuses summaries of which some were made with edges cut, and others without.
+/// Refuses summaries if some tiles have their edges cut and others do not.
 ///
 /// # Errors
 /// [`Error::WithoutCuts`].
@@ -28,7 +28,7 @@ pub fn refuse_without_cuts(whole: &Summary, cut: &Summary) -> Result<(), Error> 
     if tiles.is_empty() { Ok(()) } else { Err(Error::WithoutCuts { tiles }) }
 }
 
-/// The reason why the map with its edges cut is not known, as far as tiles tell; none, if it is known.
+/// Returns the reason, if any, why the tiles do not determine the map with its edges cut.
 pub(crate) fn reason(grid: &Grid, cut: &Outcome) -> Option<String> {
     let mut tiles: Vec<Tile> = cut.crossings.iter().map(|one| grid.tile_of(place(one))).collect();
     let why = if tiles.is_empty() {
@@ -42,7 +42,6 @@ pub(crate) fn reason(grid: &Grid, cut: &Outcome) -> Option<String> {
     (!tiles.is_empty()).then(|| format!("{}: {why}", of_tiles(&tiles)))
 }
 
-/// A point near which two edges meet.
 fn place(one: &Crossing) -> Point {
     let ([a, b], [c, d]) = (one.first, one.second);
     let [along, across] = [[b.x - a.x, b.y - a.y], [d.x - c.x, d.y - c.y]];
@@ -51,7 +50,7 @@ fn place(one: &Crossing) -> Point {
     match one.kind {
         CrossingKind::Cross if part.is_finite() => Point::new(a.x + part * along[0], a.y + part * along[1]),
         CrossingKind::Touch => a,
-        // The second one of the ends of two edges that overlap lies on both.
+        // In sorted order, the second of the ends of two overlapping edges lies on both.
         _ => {
             let mut ends = [a, b, c, d];
             ends.sort_by(|p, q| p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)));

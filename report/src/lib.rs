@@ -4,9 +4,8 @@
 //!   Input ─► InputKind::of ─► audit ─► Audited ─► JSON · text · layer of findings · page
 //! ```
 //!
-//! The program `twinedge`, the package for browsers and that for Python call [`audit`]: what one of them says of an input, the others say, too. Nothing here
-//! opens a file by itself or looks at the time. Where there are threads, features are read on that of the
-//! caller, noted on another one, and gathered into a map on a third.
+//! The program `twinedge`, the package for browsers and the package for Python all call [`audit`], so they report the same. Nothing here opens a file
+//! by itself or looks at the time. With threads, features are read on the caller's thread, noted on a second one, and gathered into a map on a third.
 //!
 //! ```
 //! use twinedge_report::{Input, InputKind, Options, audit};

@@ -21,7 +21,7 @@ use twinedge_formats::diagnosis::{Diagnosis, FeatureName, RuleLine};
 use twinedge_geometry::predicates::compare_lexicographic;
 use twinedge_map::{Embedding as _, FeatureId, PlanarMap, places, validate_embedding};
 
-/// Validates the map, and judges it as a coverage, for which the builder is used up.
+/// Validates the map and judges it as a coverage. Consumes the builder.
 pub(crate) fn audit(
     imported: &mut Imported,
     asked: &Options,
@@ -59,7 +59,7 @@ pub(crate) fn audit(
     })
 }
 
-/// The violations, with their places and the features around, and what mends them by the commands of this program.
+/// Returns the violations with their places, the features around them, and remedies by commands of this program.
 fn violations(imported: &Imported, report: &Report, coverage: &Coverage) -> Vec<Diagnosis> {
     let map = &imported.map;
     let clashes = report.outcome(Rule::G4).map_or(0, |outcome| outcome.violations);
@@ -86,8 +86,7 @@ fn violations(imported: &Imported, report: &Report, coverage: &Coverage) -> Vec<
     by_place(map, report.violations()).iter().map(diagnosis).collect()
 }
 
-/// The violations, of which those of T3 name the least vertex of their component, and are sorted, so that the order of features makes no
-/// difference. O(n log n).
+/// Returns the violations sorted, with each T3 naming the least vertex of its component, so that the order of features does not matter. O(n log n).
 fn by_place(map: &PlanarMap, violations: &[Violation]) -> Vec<Violation> {
     let mut found = violations.to_vec();
     let mut seen = Vec::new();
@@ -110,8 +109,8 @@ fn by_place(map: &PlanarMap, violations: &[Violation]) -> Vec<Violation> {
     found
 }
 
-/// The vertex of the same component with the least coordinates: x first, then y. `seen` has the vertices of other components that were looked
-/// at. O(size of the component), and the first time O(vertices).
+/// Returns the vertex of the same component with the least coordinates, by x and then y. `seen` marks the visited vertices of all components. O(size
+/// of the component), and O(vertices) for the first call.
 fn least_vertex(map: &PlanarMap, vertex: usize, seen: &mut Vec<bool>) -> Option<usize> {
     let first = map.dcel().vertex_at(vertex)?;
     if seen.is_empty() {
@@ -130,10 +129,10 @@ fn least_vertex(map: &PlanarMap, vertex: usize, seen: &mut Vec<bool>) -> Option<
     Some(least.index())
 }
 
-/// The violation with what it follows from, and what mends it by the commands of this program.
+/// Adds the violation's cause, and a remedy by commands of this program.
 pub(crate) fn following(diagnosis: Diagnosis, rule: Rule, follows_from: Option<&'static str>) -> Diagnosis {
     let remedy = match rule {
-        // The remedies of the library are its own functions where the map is not plane.
+        // If the map is not plane, the library's remedies name its own functions.
         Rule::G4 | Rule::T3 if follows_from == Some(CoverageRule::Mismatch.id()) => {
             Some("`twinedge clean` adds the vertices that are missing (C7), from which it follows")
         }
@@ -147,7 +146,6 @@ audited as if they were cut",
     Diagnosis { remedy, follows_from, ..diagnosis }
 }
 
-/// The features that a violation touches, in order.
 fn features(map: &PlanarMap, violation: &Violation) -> BTreeSet<FeatureId> {
     let dcel = map.dcel();
     let mut found = BTreeSet::new();
@@ -169,7 +167,7 @@ fn features(map: &PlanarMap, violation: &Violation) -> BTreeSet<FeatureId> {
     found
 }
 
-/// The map for a page. Where it is not plane, the faces that are filled are those of the input with its borders cut.
+/// Returns the map for a page. If it is not plane, the page fills the faces of the input with its borders cut.
 pub(crate) fn picture(imported: &Imported, report: &AuditReport) -> Picture {
     let map = &imported.map;
     let windows = report.windows();
@@ -185,7 +183,7 @@ pub(crate) fn picture(imported: &Imported, report: &AuditReport) -> Picture {
     let mut packed = pack(map);
     let of_input = report.coverage.as_ref().and_then(Coverage::of_input).filter(|_| !map.is_plane());
     packed.areas = of_input.map(|of_input| Box::new(pack(of_input)));
-    // If the map is not plane, it is not known which features are neighbours.
+    // If the map is not plane, the neighbours of features are unknown.
     let colours = feature_colours(of_input.unwrap_or(map));
     let feature = |(id, colour)| {
         let FeatureName { id, name, .. } = named(imported, id);

@@ -1,11 +1,11 @@
-//! The keys of JSON on the input of a map.
+//! JSON keys for the input of a map.
 
 use crate::imported::Imported;
 use crate::trace::position;
 use serde_json::{Map, Value, json};
 use twinedge_map::{Irregularity, IrregularityKind, Position};
 
-/// The keys beside those of all audits.
+/// Returns the keys that only the audit of a map has.
 pub(crate) fn extra(imported: &Imported, warnings: &[String]) -> Map<String, Value> {
     let Imported { map, read, summary, orients_rings, .. } = imported;
     let irregularity = |one: &Irregularity| {

@@ -9,7 +9,7 @@ use std::fmt::Write as _;
 use twinedge_formats::io::ReadSummary;
 use twinedge_map::{BuildSummary, Irregularity, IrregularityKind};
 
-/// All notes, in the order in which they are read.
+/// Returns all notes, in reading order.
 pub(crate) fn notes(imported: &Imported, warnings: Vec<String>) -> Vec<Note> {
     let Imported { read, map, noted, .. } = imported;
     let mut notes = vec![Note::Plain(input_line(&imported.summary, imported.orients_rings))];
@@ -21,7 +21,7 @@ pub(crate) fn notes(imported: &Imported, warnings: Vec<String>) -> Vec<Note> {
     notes
 }
 
-/// The parts that the reader dropped, except for properties, which every file has.
+/// The parts that the reader dropped, except properties, which every file has.
 fn dropped_line(read: &ReadSummary) -> Option<String> {
     let mut dropped = Vec::new();
     if read.with_extra_dimensions > 0 {
@@ -65,7 +65,7 @@ fn input_line(summary: &BuildSummary, orients_rings: bool) -> String {
     line
 }
 
-/// The number of irregularities of each kind that the text shows. Rings wound the wrong way are not shown: usually all or none are.
+/// The number of irregularities of each kind shown in text. Rings of the wrong orientation are not shown: usually all or none have it.
 const SHOWN: usize = 3;
 
 fn irregularities(Imported { map, summary, .. }: &Imported) -> Vec<String> {

@@ -1,4 +1,4 @@
-//! Auditing a mesh file.
+//! The audit of a mesh.
 
 use crate::error::Error;
 use crate::input::Input;
@@ -13,10 +13,9 @@ use twinedge_formats::diagnosis::{Diagnosis, Kind, Records};
 use twinedge_formats::mesh::{self, Finding, Format as MeshFormat, HalfEdgeMesh, IndexedMesh, MeshAudit, MeshFile};
 use twinedge_map::Embedding as _;
 
-/// A way to judge a mesh.
 pub(crate) type Judge = fn(&IndexedMesh, &Options) -> MeshAudit;
 
-/// By all that is asked for.
+/// Checks everything requested.
 pub(crate) fn in_space(mesh: &IndexedMesh, asked: &Options) -> MeshAudit {
     mesh::audit_in_space(mesh, &asked.mesh, &asked.space, Collect::AtMost(asked.most()))
 }
@@ -26,7 +25,6 @@ pub(crate) fn plainly(mesh: &IndexedMesh, asked: &Options) -> MeshAudit {
     mesh::audit(mesh, &asked.mesh, Collect::AtMost(asked.most()))
 }
 
-/// Reads a mesh and judges it.
 pub(crate) fn audit(
     Input { name, reader, .. }: Input,
     format: MeshFormat,
@@ -41,7 +39,6 @@ pub(crate) fn audit(
     Ok((report, file.mesh))
 }
 
-/// The report of a mesh that was judged.
 pub(crate) fn of_mesh(name: &str, first: usize, audit: &MeshAudit) -> Result<AuditReport, Error> {
     let (findings, report) = (audit.findings(), audit.report());
     let mut extra = serde_json::Map::new();
@@ -63,7 +60,7 @@ pub(crate) fn of_mesh(name: &str, first: usize, audit: &MeshAudit) -> Result<Aud
     })
 }
 
-/// Gives their shapes to what was found, on the plane on which the mesh is drawn. O(points and corners).
+/// Adds shapes to the findings, on the plane on which the mesh is drawn. O(points and corners).
 pub(crate) fn trace(report: &mut AuditReport, mesh: &IndexedMesh) {
     let (drawn, _) = HalfEdgeMesh::link(mesh, Collect::First);
     let at = |vertex: &usize| position(drawn.point(*vertex));
@@ -85,7 +82,7 @@ pub(crate) fn trace(report: &mut AuditReport, mesh: &IndexedMesh) {
     }
 }
 
-/// The mesh, as it is seen along the axis in which it extends least; nothing if all points are one.
+/// Returns the mesh as seen along the axis of its smallest extent; an empty picture if all points coincide.
 pub(crate) fn picture(mesh: &IndexedMesh, report: &AuditReport) -> Picture {
     let mut points = mesh.points().iter();
     let first = points.next();
@@ -106,17 +103,14 @@ pub(crate) fn picture(mesh: &IndexedMesh, report: &AuditReport) -> Picture {
     Picture { map, ..Picture::default() }
 }
 
-/// A violation with the numbers of the file in its message.
 fn violation(violation: &Violation, first: usize) -> Diagnosis {
     Diagnosis { message: violation.named(|record| record.index() + first).message(), ..violation.into() }
 }
 
-/// A finding with the numbers of the file in its message.
 fn finding(finding: &Finding, first: usize) -> Diagnosis {
     Diagnosis { message: finding.counted_from(first).to_string(), ..finding.into() }
 }
 
-/// A number with its thousands set off, and its sign.
 fn signed(count: isize) -> String {
     let sign = if count < 0 { "-" } else { "" };
     format!("{sign}{}", grouped(count.unsigned_abs()))

@@ -5,7 +5,7 @@ use crate::words::plain;
 use twinedge_formats::diagnosis::FeatureName;
 use twinedge_map::{FeatureId, PlanarMap};
 
-/// The name of a feature, fit for a terminal, or its number, counted from 0.
+/// Returns a feature's name, made safe for a terminal, or its number, counted from 0.
 #[must_use]
 pub fn label(map: &PlanarMap, feature: FeatureId) -> String {
     words(map.name(feature), feature.index())
@@ -15,13 +15,12 @@ fn words(name: Option<&str>, number: usize) -> String {
     name.map_or_else(|| format!("feature {number}"), plain)
 }
 
-/// The name, the id and the number of a feature.
+/// Returns a feature's name, id and number.
 #[must_use]
 pub fn named(imported: &Imported, feature: FeatureId) -> FeatureName {
     numbered_name(imported, feature.index())
 }
 
-/// The name and the id, if they are known, of the feature with this number.
 pub(crate) fn numbered_name(imported: &Imported, number: usize) -> FeatureName {
     let map: &PlanarMap = &imported.map;
     let id = imported.noted.ids.get(number).cloned().flatten();
@@ -34,7 +33,6 @@ pub(crate) fn numbered_name(imported: &Imported, number: usize) -> FeatureName {
     FeatureName { number, id, name: name.map(str::to_owned), label }
 }
 
-/// The names, ids and numbers of features.
 pub(crate) fn all_named(imported: &Imported, features: impl IntoIterator<Item = u32>) -> Vec<FeatureName> {
     let ids = features.into_iter().filter_map(|feature| imported.map.feature(feature as usize));
     ids.map(|id| named(imported, id)).collect()

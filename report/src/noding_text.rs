@@ -1,10 +1,10 @@
-//! The summary of noding, in a line.
+//! The summary of noding as text.
 
 use crate::words::counted;
 use std::fmt::Write as _;
 use twinedge_geometry::noding::NodingSummary;
 
-/// The summary of noding, in a line.
+/// Returns the summary of noding in one line.
 #[must_use]
 pub fn line(noding: &NodingSummary) -> String {
     let cut = counted(noding.split, "segment");

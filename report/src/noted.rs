@@ -1,4 +1,4 @@
-//! Notes on features, taken while they are read, since a map does not keep them: ids, conditions met, defects, places.
+//! Notes taken on features while they are read, because a map does not keep them: ids, met conditions, defects, places.
 
 use crate::error::Error;
 use crate::words::{counted, decimals, decimals_of, measure, plain};
@@ -11,29 +11,28 @@ use twinedge_geometry::Point;
 use twinedge_geometry::noding::Snap;
 use twinedge_map::{Feature, Shape};
 
-/// The number of columns that an error lists.
 const COLUMNS: usize = 20;
 
-/// The number of features without geometry that a warning names.
+/// The number of features without geometry named in a warning.
 const NULL: usize = 5;
 
-/// The greatest longitude, either way: some maps go on beyond the antimeridian.
+/// The greatest absolute longitude: some maps continue beyond the antimeridian.
 const LONGITUDE: f64 = 360.0;
 
-/// The greatest latitude, either way, as rounding may exceed it.
+/// The greatest absolute latitude, with a margin for rounding.
 const LATITUDE: f64 = 90.0 + 1e-6;
 
-/// The latitude from which on an edge counts as one along a pole.
+/// The absolute latitude from which an edge counts as running along a pole.
 const POLE: f64 = 89.0;
 
 /// The bits of a double below its exponent, and the number of exponents.
 const MANTISSA: u32 = 52;
 const EXPONENTS: usize = 1 << 11;
 
-/// The least number of such cells that most edges are to be long.
+/// The minimal length of most edges, in cells of the grid.
 const RESOLVED: f64 = 1024.0;
 
-/// A value that a column of a feature is to have.
+/// A required value of a column.
 #[derive(Clone, Debug)]
 pub struct Condition {
     /// The column.
@@ -51,18 +50,18 @@ impl FromStr for Condition {
     }
 }
 
-/// The notes on the input that are kept beside the map.
+/// The notes on the input to keep alongside the map.
 #[derive(Clone, Copy, Default)]
 pub struct Keep<'a> {
-    /// The parts by which the coverage is judged.
+    /// True to keep the data for judging the coverage.
     pub coverage: bool,
-    /// The features that meet a condition.
+    /// Keeps the numbers of the features that meet this condition.
     pub condition: Option<&'a Condition>,
-    /// The values of these columns.
+    /// Keeps the values of these columns.
     pub columns: &'a [String],
-    /// The features as they were read.
+    /// True to keep the features as read.
     pub features: bool,
-    /// A layer of points alone is no error.
+    /// True to accept a layer of points alone.
     pub points: bool,
 }
 
@@ -74,24 +73,23 @@ pub struct Noted {
     pub ids: Vec<Option<String>>,
     /// The numbers of the features that meet the condition.
     pub matching: Vec<usize>,
-    /// Of each column whose values are kept, the value of each feature; an empty one is none.
+    /// For each kept column, the value of each feature; empty values are `None`.
     pub values: Vec<Vec<Option<String>>>,
     /// Features that are not valid by the rules of the OGC, by number.
     pub defects: Vec<(usize, Vec<Defect>)>,
-    /// The features whose geometry was left out since a coordinate is not finite, by number.
+    /// The numbers of the features whose geometry was left out because a coordinate is not finite.
     pub(crate) not_finite: Vec<usize>,
-    /// The features whose geometry is missing or empty, by number.
+    /// The numbers of the features whose geometry is missing or empty.
     pub(crate) without_geometry: Vec<usize>,
     /// The number of features that have a line or ring that goes from one side of the antimeridian to the other.
     across_antimeridian: usize,
-    /// The first features without geometry, and how many there are.
+    /// The first features without geometry, and the number of all.
     null: (Vec<String>, usize),
-    /// Columns of text in which no value is missing or repeated so far, while no feature has a name or an id.
+    /// Text columns with all values present and distinct so far, while no feature has a name or an id.
     unique: Option<Vec<(String, HashSet<String>)>>,
-    /// Least and greatest coordinates.
     low: Point,
     high: Point,
-    /// By exponent of their length in x or y, the number of edges of polygons.
+    /// The number of edges of polygons, by the exponent of their length in x or y.
     edges: Vec<u64>,
     columns: BTreeSet<String>,
     has_name: bool,
@@ -99,7 +97,7 @@ pub struct Noted {
 }
 
 impl Noted {
-    /// Nothing yet. Names are taken from the column, if one is given.
+    /// Creates empty notes. Names come from the column, if given.
     pub(crate) fn new(name_from: Option<String>) -> Self {
         let far = f64::INFINITY;
         Self {
@@ -122,7 +120,7 @@ impl Noted {
         }
     }
 
-    /// Notes the next feature, and names it by the column asked for. `read` has its attributes.
+    /// Records the next feature, and names it by the requested column. `read` has its attributes.
     pub(crate) fn note(&mut self, feature: &mut Feature, read: &LayerFeature, has_geometry: bool, keep: Keep<'_>) {
         let text = |column: &str| read.get(column).and_then(Value::text);
         let number = self.ids.len();
@@ -182,7 +180,7 @@ impl Noted {
         self.across_antimeridian += usize::from(crosses);
     }
 
-    /// Notes which columns could name the features.
+    /// Records the columns that could name the features.
     fn note_unique(&mut self, number: usize, feature: &Feature, read: &LayerFeature) {
         if feature.name.is_some() || feature.id.is_some() || self.name_from.is_some() {
             self.unique = Some(Vec::new());
@@ -204,12 +202,11 @@ impl Noted {
         });
     }
 
-    /// The columns that could name the features, if none has a name.
+    /// Returns the columns that could name the features, if none has a name.
     pub(crate) fn name_columns(&self) -> impl Iterator<Item = &str> {
         self.unique.iter().filter(|_| self.ids.len() > 1).flatten().map(|(column, _)| column.as_str())
     }
 
-    /// Advises to name the features by a column, if none has a name.
     pub(crate) fn hint(&self) -> Option<String> {
         let mut names = self.name_columns().map(plain);
         let first = names.next()?;
@@ -218,13 +215,13 @@ impl Noted {
         Some(format!("the features have no names: --name-from {first} takes them from a column{or}"))
     }
 
-    /// The corners of the box around everything; none, if there is nothing.
+    /// Returns the corners of the bounding box; `None` if there is nothing in it.
     #[must_use]
     pub fn corners(&self) -> Option<[Point; 2]> {
         (self.low.x <= self.high.x).then_some([self.low, self.high])
     }
 
-    /// Notes that all lies in a box between two corners, and how many edges of polygons have each exponent.
+    /// Extends the bounding box, and adds the number of edges of polygons for each exponent.
     pub(crate) fn reach(&mut self, [low, high]: [Point; 2], edges: &[(u16, u64)]) {
         (self.low, self.high) = (low, high);
         for (exponent, count) in edges {
@@ -232,14 +229,15 @@ impl Noted {
         }
     }
 
-    /// The number of decimal places of a place in text: to a ten-millionth of the greatest coordinate, and to a thousandth of the median edge.
+    /// Returns the number of decimal places of coordinates in text: enough for a ten-millionth of the greatest coordinate and a thousandth of the
+    /// median edge.
     #[must_use]
     pub fn decimals(&self) -> usize {
         let edge = self.median_edge().map(|length| length / 10.0);
         decimals(self.largest()).max(decimals_of(edge))
     }
 
-    /// The least power of two that half of the edges of polygons do not reach, if there are any.
+    /// Returns the least power of two above the length of half the edges of polygons, if there are any.
     fn median_edge(&self) -> Option<f64> {
         let (all, mut shorter) = (self.edges.iter().sum::<u64>(), 0);
         let median = self.edges.iter().position(|count| {
@@ -249,14 +247,12 @@ impl Noted {
         (all > 0).then(|| f64::from_bits((median as u64 + 1) << MANTISSA))
     }
 
-    /// The largest coordinate.
     fn largest(&self) -> f64 {
         let all = [self.low.x, self.low.y, self.high.x, self.high.y];
         all.into_iter().filter(|x| x.is_finite()).fold(0.0, |greatest, x| x.abs().max(greatest))
     }
 
-    /// The reason why borders cannot be cut where they cross, if the coordinates reach so far that the edges of most polygons are lost on
-    /// the grid on which they would be.
+    /// Returns the reason why crossing borders cannot be cut: the coordinates reach so far that most edges of polygons vanish on the required grid.
     pub(crate) fn too_far_to_cut(&self) -> Option<String> {
         let (largest, length) = (self.largest(), self.median_edge()?);
         let cell = largest / Snap::AUTO_CELLS as f64;
@@ -269,32 +265,30 @@ impl Noted {
         })
     }
 
-    /// Refuses a column that no feature has.
     pub(crate) fn refuse_unknown_columns(&self, keep: Keep<'_>) -> Result<(), Error> {
         let by_name = self.name_from.as_ref().filter(|_| !self.has_name);
         let by_condition = keep.condition.map(|condition| &condition.column).filter(|_| !self.has_condition);
         by_name.or(by_condition).map_or(Ok(()), |column| Err(self.no_column(column)))
     }
 
-    /// The error that no feature has a value in a column.
     pub(crate) fn no_column(&self, column: &str) -> Error {
         let known = self.columns.iter().take(COLUMNS).map(|column| plain(column)).collect();
         Error::NoColumn { column: column.to_owned(), known }
     }
 
-    /// Returns true if the coordinates can be longitudes and latitudes, and no other reference system is named.
+    /// Returns true if the coordinates can be longitudes and latitudes and the file names no other reference system.
     pub(crate) fn look_like_degrees(&self, read: &ReadSummary) -> bool {
         read.other_crs == 0 && are_degrees(self.corners())
     }
 
-    /// The features without geometry, and their number.
+    /// Describes the features without geometry, with their number.
     pub(crate) fn without_geometry(&self) -> Option<String> {
         let (names, count) = &self.null;
         let more = if *count > names.len() { ", …" } else { "" };
         (*count > 0).then(|| format!("{} without geometry: {}{more}", counted(*count, "feature"), names.join(", ")))
     }
 
-    /// Warnings about the coordinates.
+    /// Returns warnings about the coordinates.
     #[must_use]
     pub fn warnings(&self, read: &ReadSummary) -> Vec<String> {
         let mut warnings = Vec::new();
@@ -319,14 +313,14 @@ around the whole map here; cut them at 180 degrees"
     }
 }
 
-/// Returns true if all that lies between two corners can be longitudes and latitudes.
+/// Returns true if everything between two corners can be longitudes and latitudes.
 pub(crate) fn are_degrees(corners: Option<[Point; 2]>) -> bool {
     corners.is_none_or(|[low, high]| {
         low.x >= -LONGITUDE && high.x <= LONGITUDE && low.y >= -LATITUDE && high.y <= LATITUDE
     })
 }
 
-/// Returns true if an edge spans more than half of the longitudes, except along a pole, as that of Antarctica does.
+/// Returns true if an edge spans more than half of the longitudes, unless it runs along a pole, as an edge of Antarctica does.
 fn goes_around(a: Point, b: Point) -> bool {
     (b.x - a.x).abs() > 180.0 && a.y.abs().min(b.y.abs()) < POLE
 }

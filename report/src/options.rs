@@ -19,29 +19,29 @@ pub enum Edges {
     Geodesic,
 }
 
-/// The options of an audit. Those that are for other kinds of inputs are not looked at.
+/// The options of an audit. Options for other kinds of input are ignored.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// Greatest number of violations to list, and of findings of each rule C1 … C7; all are counted. None: 1000, and in the text 3 findings
-    /// of each of C1 … C7.
+    /// The greatest number of violations to list, and of findings of each rule C1 … C7; all are counted. `None` lists 1000, and 3 findings of each of
+    /// C1 … C7 in text.
     pub list: Option<usize>,
-    /// Causes and remedies are kept.
+    /// True to keep causes and remedies.
     pub explain: bool,
-    /// The way to build a map.
+    /// The options for building a map.
     pub map: MapOptions,
     /// The limits by which a coverage is judged.
     pub coverage: CoverageOptions,
-    /// The findings of the coverage that are accepted. Those that are not listed are not.
+    /// The accepted findings of the coverage.
     pub accepted: Option<Accepted>,
-    /// The column by which parts name their parents, if parents are to be made up by their parts.
+    /// The column by which parts name their parents, to check that parents consist of their parts.
     pub parent: Option<ParentColumn>,
-    /// Lengths in metres along geodesics.
+    /// True to measure lengths in metres along geodesics.
     pub geodesic: bool,
-    /// The shape of edges. None: great circles, if a file of longitudes and latitudes says that its edges are not planar, or else straight.
+    /// The shape of edges. `None`: great circles if a file of longitudes and latitudes declares edges that are not planar, otherwise straight.
     pub edges: Option<Edges>,
     /// The properties that a mesh must have.
     pub mesh: Expectation,
-    /// The rules about the places of its points that are checked.
+    /// The rules to check about the places of a mesh's points.
     pub space: Vec<SpaceRule>,
 }
 
@@ -63,7 +63,7 @@ impl Default for Options {
 }
 
 impl Options {
-    /// Refuses what does not go with edges along great circles. `beside` is another option of that kind that is given.
+    /// Refuses options that edges along great circles exclude. The parameter names another given option of that kind.
     pub(crate) fn refuse_with_geodesic(&self, beside: Option<&'static str>) -> Result<(), Error> {
         let given = [(self.geodesic, "--geodesic"), (self.map.snap.is_some(), "--snap")];
         let own = given.into_iter().find(|(is_given, _)| *is_given).map(|(_, option)| option);
@@ -73,13 +73,12 @@ impl Options {
         }
     }
 
-    /// Returns true if edges are great circles if the file says so: if it may, and nothing else is asked for.
+    /// Returns true if the file decides the shape of edges: its format can, and no option contradicts.
     pub(crate) fn may_be_said(&self, input: &mut Input) -> Result<bool, Error> {
         let is_asked = self.edges.is_some() || self.geodesic || self.map.snap.is_some();
         Ok(!is_asked && input.map_format()? == Some(Format::GeoParquet))
     }
 
-    /// Greatest number of violations to list.
     pub(crate) fn most(&self) -> usize {
         self.list.unwrap_or(Collect::DEFAULT_CAP)
     }

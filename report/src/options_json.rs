@@ -7,7 +7,7 @@ use serde_json::{Map, Value, json};
 use twinedge_coverage::Limits;
 use twinedge_geometry::noding::Snap;
 
-/// The options that say what is judged and how: those that were given, and of a mesh what it must be.
+/// Returns the options that determine the audit: the given ones, and the required properties of a mesh.
 pub(crate) fn as_json(options: &Options, kind: InputKind) -> Map<String, Value> {
     let CoverageOptions { is_rule, limits } = &options.coverage;
     let Limits { gap_width, lake_width, accepted_gaps, sliver_area, .. } = limits;
@@ -47,7 +47,6 @@ pub(crate) fn as_json(options: &Options, kind: InputKind) -> Map<String, Value> 
     }
 }
 
-/// The options of a mesh: what it must be.
 pub(crate) fn of_mesh(options: &Options) -> Map<String, Value> {
     let space: Vec<&str> = options.space.iter().map(|rule| rule.id()).collect();
     let expected = [("expected", json!(options.mesh.to_string()))].into_iter();

@@ -3,7 +3,7 @@
 use twinedge::dcel::{FaceKey, StaleKey};
 use twinedge_map::PlanarMap;
 
-/// The outer boundary of a face, closed: the last position repeats the first. O(its length).
+/// Returns the outer boundary of a face, closed: the last position repeats the first. O(its length).
 ///
 /// # Errors
 /// [`StaleKey`], if there is no such face.

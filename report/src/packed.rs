@@ -1,8 +1,8 @@
-//! The structure that the page shows, packed.
+//! The structure shown on the page, packed.
 //!
-//! Edges are joined to chains at vertices where nothing else ends. A chain has two sides, numbered `2 · c` and `2 · c + 1`, each with
-//! the face to its left and the side that follows its end by `next`, as far as the structure has them. Nothing is assumed to be
-//! right: a half-edge whose twin does not name it back is a chain with one side.
+//! Edges are joined to chains at vertices where nothing else ends. A chain has two sides, numbered `2 · c` and `2 · c + 1`. Each side has the face to
+//! its left and the side that follows its end by `next`, as far as the structure has them. The structure may be invalid: a half-edge whose twin does
+//! not name it back is a chain with one side.
 //!
 //! ```text
 //!   stream   = chain* sides* face* isolated*          all numbers as LEB128; s(n) is zigzag, Δ from the number before it
@@ -26,26 +26,24 @@ use twinedge_map::Embedding;
 /// The cells of the grid across the map, as a power of two.
 const CELLS: i32 = 40;
 
-/// A structure with more edges is not shown as a whole.
+/// The maximal number of edges of a structure that is shown as a whole.
 const MOST_EDGES: usize = 2_000_000;
 
-/// A structure, packed.
 #[derive(Debug, Default, Serialize)]
 pub(crate) struct Map {
     origin: Position,
     step: f64,
     chains: usize,
     points: usize,
-    /// No vertex has a greater index.
+    /// All indices of vertices are less than this.
     vertex_slots: usize,
     faces: usize,
     isolated: usize,
-    /// The number of edges that are shown, and the number of all.
+    /// The number of shown edges, and of all edges.
     pub(crate) edges: [usize; 2],
-    /// Half-edges and vertices without a place in the plane.
     placeless: usize,
     names: Names,
-    /// Another structure, whose faces are filled instead.
+    /// Another structure whose faces are filled instead.
     pub(crate) areas: Option<Box<Self>>,
     #[serde(serialize_with = "text")]
     stream: Vec<u8>,
@@ -55,28 +53,26 @@ fn text<S: Serializer>(bytes: &[u8], to: S) -> Result<S::Ok, S::Error> {
     to.serialize_str(&STANDARD.encode(bytes))
 }
 
-/// The map of a page.
 #[derive(Debug, Default, Serialize)]
 pub(crate) struct Picture {
     pub(crate) map: Map,
-    /// The features of the map: name, id, and a colour that neighbours have not.
+    /// The features of the map: name, id, and a colour that differs from the neighbours' colours.
     pub(crate) features: Vec<(Option<String>, Option<String>, usize)>,
 }
 
-/// The names of records.
 #[derive(Debug, Default, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum Names {
-    /// By their indices; twins are neighbours.
+    /// Indices; twins are neighbours.
     #[default]
     Indices,
-    /// By ids, with the sign of the side for half-edges; twins are neighbours.
+    /// Ids, with the sign of the side for half-edges; twins are neighbours.
     Ids { vertices: Vec<String>, edges: Vec<String>, faces: Vec<String> },
-    /// By names of their own. `twins` has the twin of each half-edge, if that has it as its twin.
+    /// Separate names. `twins` has the twin of each half-edge, if the twins name each other.
     Own { vertices: Vec<String>, half_edges: Vec<String>, faces: Vec<String>, twins: Vec<Option<usize>> },
 }
 
-/// A rectangle, by its least and greatest coordinates.
+/// A rectangle, as its least and greatest coordinates.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Window {
     low: Position,
@@ -84,7 +80,7 @@ pub(crate) struct Window {
 }
 
 impl Window {
-    /// Around points, with as much on each side as they span.
+    /// Returns the window around points, with their extent as a margin on each side.
     pub(crate) fn around<'a>(points: impl IntoIterator<Item = &'a Position>) -> Option<Self> {
         let all = Self::tight(points)?;
         let margin = [0, 1].map(|i| all.high[i] - all.low[i]);
@@ -104,27 +100,23 @@ impl Window {
     }
 }
 
-/// The features, names and windows beside the packed structure.
+/// The features, names and windows that accompany the packed structure.
 pub(crate) struct Beside<'a> {
-    /// The features that cover a face.
     pub(crate) features: &'a dyn Fn(usize) -> Vec<usize>,
     pub(crate) names: Names,
-    /// The part that is shown of a structure too large for a page.
+    /// The shown part of a structure too large for a page.
     pub(crate) windows: &'a [Window],
 }
 
 /// No half-edge, and no side.
 const NONE: u32 = u32::MAX;
 
-/// A point of a chain; a bend has no vertex.
 struct Stop {
     at: Position,
     vertex: Option<usize>,
 }
 
-/// A chain.
 struct Chain {
-    /// First and last half-edge.
     ends: [usize; 2],
     is_one_sided: bool,
     stops: Vec<Stop>,
@@ -132,13 +124,11 @@ struct Chain {
     half_edges: Vec<usize>,
 }
 
-/// The links that are mutual, by half-edge.
 struct Links {
-    /// The twin, if that has it as its twin.
+    /// The twin, if the twins name each other.
     mate: Vec<u32>,
     /// The half-edge that continues a chain.
     follow: Vec<u32>,
-    /// True if a half-edge continues a chain.
     is_continued: Vec<bool>,
 }
 
@@ -179,14 +169,14 @@ impl Links {
     }
 }
 
-/// The chains of a structure, and how many half-edges have no place.
+/// Returns the chains of a structure, and the number of half-edges without a place.
 fn chains<E: Embedding + ?Sized>(structure: &E, links: &Links) -> (Vec<Chain>, usize) {
     let slots = structure.half_edge_slots();
     let mut seen = vec![false; slots];
     let mut found = Vec::new();
     let mut placeless = 0;
     let live = || (0..slots).filter(|h| structure.is_half_edge(*h));
-    // Those with ends first; the rest are closed.
+    // Open chains come first; the rest are closed.
     for start in live().filter(|h| !links.is_continued[*h]).chain(live()) {
         if seen[start] {
             continue;
@@ -330,7 +320,7 @@ impl Map {
     }
 }
 
-/// Numbers, small if they are close to the ones before.
+/// A stream of numbers, which are small if they are close to their predecessors.
 #[derive(Default)]
 struct Stream {
     bytes: Vec<u8>,
@@ -349,7 +339,7 @@ fn zigzag(number: i64) -> u64 {
     if number < 0 { twice.wrapping_sub(1) } else { twice }
 }
 
-/// An index; none is so large.
+/// Converts an index; no index is too large.
 fn signed(index: usize) -> i64 {
     i64::try_from(index).unwrap_or(i64::MAX)
 }
@@ -451,14 +441,14 @@ mod tests {
 
     #[test]
     fn a_half_edge_whose_twin_disowns_it_is_a_chain_with_one_side() {
-        // e1,1 and e1,2 are twins; e2,1 has e1,2 as its twin, and that has not.
+        // e1,1 and e1,2 are twins; e2,1 names e1,2 as its twin, which does not name it back.
         let tables = "v1 (0, 0) e1,1\nv2 (4, 0) e1,2\nv3 (9, 9) e2,1\nf1 nil e1,1
             e1,1 v1 e1,2 f1 e1,2 e1,2\ne1,2 v2 e1,1 f1 e1,1 e1,1\ne2,1 v3 e1,2 f1 ? nil";
         let tables: Textbook = tables.parse().expect("it is one");
         let packed = pack(&tables);
         assert_eq!((packed.chains, packed.edges, packed.placeless), (2, [2, 2], 0));
         let numbers = numbers(&packed.stream);
-        // Flag, number of points, two new vertices, a half-edge; then the other one.
+        // Flag, number of points, two new vertices, a half-edge; then the other chain.
         assert_eq!((numbers[0], numbers[9]), (0, 1));
         let nowhere: Textbook = tables.to_string().replace("(9, 9)", "?").parse().expect("it is one");
         assert_eq!((pack(&nowhere).chains, pack(&nowhere).placeless), (1, 1));

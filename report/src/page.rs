@@ -1,7 +1,6 @@
-//! The page: one file with its style, its script and its data.
+//! The page: one file with its style, script and data.
 //!
-//! A policy in the page forbids it to load anything. What comes from the input is in a block of JSON without `<`, `>` and `&`, and
-//! the script sets it as text.
+//! A policy in the page forbids loading anything. Text from the input is in a JSON block without `<`, `>` and `&`, and the script inserts it as text.
 
 use crate::accepted::Accepted;
 use crate::coverage_words::statement;
@@ -21,7 +20,7 @@ use twinedge_formats::diagnosis::{Diagnosis, Measures, Position, RuleLine, Trace
 const PAGE: &str = include_str!("html/page.html");
 const STYLE: &str = include_str!("html/style.css");
 
-/// In the order in which they are run.
+/// The scripts in execution order.
 const SCRIPTS: [&str; 13] = [
     include_str!("html/unpack.js"),
     include_str!("html/colours.js"),
@@ -38,15 +37,14 @@ const SCRIPTS: [&str; 13] = [
     include_str!("html/main.js"),
 ];
 
-/// The shape of what has no place.
+/// The shape of a finding without a place.
 static NOWHERE: Trace = Trace { points: Vec::new(), lines: Vec::new(), polygons: Vec::new() };
 
-/// The data of the script.
 #[derive(Serialize)]
 struct Data<'a> {
     input: &'a str,
     name: &'a str,
-    /// Of the headline: `good`, `doubtful` if only the coverage has findings that are no violations, or `bad`.
+    /// The tone of the headline: `good`, `bad`, or `doubtful` if only the coverage has findings, which are no violations.
     tone: &'static str,
     verdict: &'a str,
     notes: Vec<String>,
@@ -54,7 +52,7 @@ struct Data<'a> {
     rules: Vec<Rule>,
     unit: Option<&'static str>,
     findings: Vec<Finding<'a>>,
-    /// The list of accepted findings that this would be with all of them.
+    /// The list of accepted findings that would accept everything.
     acceptable: Accepted,
     total: u64,
     #[serde(flatten)]
@@ -73,15 +71,14 @@ struct Rule {
 #[derive(Serialize)]
 struct Finding<'a> {
     id: Option<&'a str>,
-    /// The reason, if it was accepted.
+    /// The reason for accepting the finding.
     accepted: Option<&'a str>,
     rule: &'static str,
     name: &'static str,
     kind: &'a str,
     message: String,
-    /// The same in words about features.
     sentence: Option<&'a str>,
-    /// The number in the list of the finding from which it follows, counted from 0.
+    /// The list index of the finding's cause, counted from 0.
     follows: Option<usize>,
     violation: bool,
     records: Vec<String>,
@@ -121,14 +118,14 @@ impl<'a> Finding<'a> {
     }
 }
 
-/// The middle of the corners of a shape.
+/// The centre of a shape's corners.
 fn middle_of(Trace { points, lines, polygons }: &Trace) -> Option<Position> {
     let all: Vec<Position> = polygons.iter().flatten().chain(lines).flatten().chain(points).copied().collect();
     let count = all.len() as f64;
     (!all.is_empty()).then(|| [0, 1].map(|axis| all.iter().map(|at| at[axis] / count).sum()))
 }
 
-/// The listed diagnoses: causes, those in words of features first, each with what follows from it behind it.
+/// Returns the listed diagnoses: causes, in terms of features first, each followed by its consequences.
 fn findings(report: &AuditReport) -> Vec<Finding<'_>> {
     let mut follow: HashMap<&str, Vec<&Diagnosis>> = HashMap::new();
     let (mut causes, mut others) = (Vec::new(), Vec::new());
@@ -150,7 +147,7 @@ fn findings(report: &AuditReport) -> Vec<Finding<'_>> {
     found
 }
 
-/// The rules of the validator and the format, and C1 … C7 where there are polygons.
+/// The rules of the validator and the format, plus C1 … C7 if there are polygons.
 fn rules(report: &AuditReport) -> Vec<Rule> {
     let own = report.rules.iter().map(|rule| {
         let checked = format!("{} {}", grouped(rule.checked), rule.unit);
@@ -192,7 +189,6 @@ fn tone(report: &AuditReport) -> &'static str {
     }
 }
 
-/// The page.
 pub(crate) fn page(report: &AuditReport, picture: &Picture) -> serde_json::Result<String> {
     let verdict = report.sentence();
     let name = Path::new(&report.input).file_name().and_then(OsStr::to_str).unwrap_or(&report.input);
@@ -228,7 +224,7 @@ pub(crate) fn page(report: &AuditReport, picture: &Picture) -> serde_json::Resul
     Ok(page)
 }
 
-/// JSON as it may stand in an element `script`: it has none of these characters outside of texts.
+/// Escapes JSON for a `script` element: outside of texts, JSON has none of these characters.
 fn in_script(json: &str) -> String {
     let mut out = String::with_capacity(json.len());
     for c in json.chars() {
@@ -243,7 +239,7 @@ fn in_script(json: &str) -> String {
     out
 }
 
-/// Text as it may stand in an element.
+/// Escapes text for an element.
 fn in_element(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
@@ -253,7 +249,7 @@ mod tests {
     use super::{Accepted, AuditReport, Diagnosis, Picture, page};
     use serde_json::Value;
 
-    /// The page saves what `--accept` reads, with the dates of what was accepted before.
+    /// The page saves a file for `--accept` that keeps the dates of earlier acceptances.
     #[test]
     fn what_can_be_accepted_is_in_the_page_as_a_list() {
         let list =

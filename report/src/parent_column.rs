@@ -2,8 +2,8 @@
 
 use std::str::FromStr;
 
-/// The column in which parts name their parents, and the column in which parents have that value: by default the column of the same name in the
-/// other layer, or else their ids, or else their names.
+/// The column in which parts name their parents, and the column with this value in the parents. By default, that is the column of the same name in
+/// the other layer, or else the ids, or else the names.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ParentColumn {
     /// The column of the parts.
@@ -25,7 +25,6 @@ impl FromStr for ParentColumn {
 }
 
 impl ParentColumn {
-    /// The columns of the audited layer that are read.
     pub(crate) fn columns(&self, has_other: bool) -> Vec<String> {
         let key = self.key.iter().filter(|_| !has_other);
         std::iter::once(&self.column).chain(key).cloned().collect()

@@ -1,4 +1,4 @@
-//! Reading ahead of whoever takes the features, where there are threads.
+//! Reading ahead of the consumer of features, on platforms with threads.
 
 #[cfg(not(target_family = "wasm"))]
 mod threads;
@@ -8,10 +8,10 @@ pub(crate) use threads::read_ahead;
 use twinedge_formats::layer::ReadError;
 use twinedge_map::Feature;
 
-/// Takes a feature, or refuses it. What it leaves is dropped.
+/// Takes a feature or refuses it. What remains in the value is dropped.
 pub(crate) type Take<'a, T = Feature> = dyn FnMut(&mut T) -> Result<(), ReadError> + Send + 'a;
 
-/// Hands a feature on, unless one was refused.
+/// Hands a feature on, unless an earlier one was refused.
 pub(crate) type HandOn<'a, T> = dyn FnMut(T) -> Result<(), ReadError> + Send + 'a;
 
 /// Reads features, and hands each to `take`, in order.

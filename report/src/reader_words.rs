@@ -1,12 +1,12 @@
-//! Clashes of borders in the words of somebody who knows the features of a map, and not its half-edges.
+//! Clashes of borders in terms of features, for readers who do not know the map's half-edges.
 
 use crate::words::place;
 use twinedge_formats::diagnosis::{Diagnosis, FeatureName, Position};
 
-/// The number of features that are named.
+/// The number of features named.
 const NAMED: usize = 3;
 
-/// Returns the sentence; `None` for other violations, and if no feature is known. Places have at most `decimals` decimal places.
+/// Returns the sentence; `None` for other violations, and if no feature is known. Coordinates have at most `decimals` decimal places.
 pub(crate) fn sentence(one: &Diagnosis, decimals: usize) -> Option<String> {
     let features = one.features.as_deref().filter(|features| !features.is_empty())?;
     let at = place(one.look?, decimals);
@@ -28,7 +28,7 @@ pub(crate) fn sentence(one: &Diagnosis, decimals: usize) -> Option<String> {
     })
 }
 
-/// Names with commas and an `and` between them.
+/// Joins names with commas and `and`.
 fn listed(names: &[String]) -> String {
     let (named, more) = names.split_at(names.len().min(NAMED));
     match (named, more.len()) {
@@ -37,7 +37,7 @@ fn listed(names: &[String]) -> String {
     }
 }
 
-/// The ends of what two segments on one line have in common, if these are their four ends.
+/// Returns the ends of the common part of two segments on one line, given their four ends.
 pub(crate) fn common(ends: &[Position]) -> Option<[Position; 2]> {
     let mut ends: [Position; 4] = ends.try_into().ok()?;
     let span = |axis: usize| ends.iter().map(|p| (p[axis] - ends[0][axis]).abs()).fold(0.0, f64::max);

@@ -1,4 +1,4 @@
-//! The report of an audit, which all writers take.
+//! The report of an audit, the input of all writers.
 
 use crate::accepted::{Accepted, AcceptedSummary};
 use crate::coverage::Coverage;
@@ -17,79 +17,68 @@ use twinedge_coverage::CoverageRule;
 use twinedge_formats::diagnosis::{Diagnosis, Document, Position, Reason, RuleLine, Trace};
 use twinedge_formats::layer::Crs;
 
-/// The report of an audit.
 #[derive(Debug)]
 pub(crate) struct AuditReport {
     pub(crate) input: String,
-    /// Every rule that applies was checked, and holds, whatever was accepted.
+    /// Every rule that applies was checked and holds, regardless of accepted findings.
     pub(crate) valid: bool,
-    /// The reason why more is to be known, in sentences, whatever the rules say.
+    /// Reasons, in sentences, why the verdict stays unknown even if the rules hold.
     pub(crate) doubts: Vec<String>,
     pub(crate) judged: Option<Judged>,
-    /// The bytes of the layer by which it was judged.
+    /// The bytes of the other layer.
     pub(crate) judged_by: Option<Judged>,
-    /// The list by which findings were accepted.
     pub(crate) accepted_before: Option<Accepted>,
-    /// The fate of accepted findings, if there is a list of them.
     pub(crate) accepted: Option<AcceptedSummary>,
-    /// The options, as JSON.
     pub(crate) options: Map<String, Value>,
     pub(crate) notes: Vec<Note>,
-    /// The counts in words.
     pub(crate) counts: Vec<(&'static str, String)>,
     pub(crate) rules: Vec<RuleLine>,
     pub(crate) violations: Vec<Diagnosis>,
-    /// The number of violations, listed or not.
+    /// The number of all violations, listed or not.
     pub(crate) violation_count: u64,
-    /// The faults of the faces of a mesh or the findings between layers, and their number.
+    /// The listed faults of a mesh's faces or findings between layers; `finding_count` counts all.
     pub(crate) findings: Vec<Diagnosis>,
     pub(crate) finding_count: u64,
     /// The findings of C1 … C7, for a map with polygons or lines.
     pub(crate) coverage: Option<Coverage>,
     pub(crate) style: CoverageStyle,
-    /// Sentences about violations that follow from findings.
+    /// Sentences on violations that follow from findings.
     pub(crate) remarks: Vec<&'static str>,
     pub(crate) crs: Option<Crs>,
     pub(crate) json: JsonForm,
     pub(crate) elapsed_ms: f64,
 }
 
-/// The form of findings of a coverage in text.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct CoverageStyle {
-    /// They count as violations.
+    /// True if findings count as violations.
     pub(crate) is_rule: bool,
-    /// The number of findings of each rule that are shown; none: a few, and what follows from others is only counted.
+    /// The number of findings to show for each rule. `None` shows a few, and only counts consequences.
     pub(crate) list: Option<usize>,
-    /// Places have so many decimal places at most.
     pub(crate) decimals: usize,
 }
 
-/// The entries that only JSON has.
 #[derive(Debug, Default)]
 pub(crate) struct JsonForm {
     pub(crate) counts: Value,
-    /// The bounds of T4.
     pub(crate) bounds: Option<Bounds>,
-    /// Rules have their names.
+    /// True if rules are given with their names.
     pub(crate) is_named: bool,
-    /// There is a list of findings.
+    /// True if there is a list of findings.
     pub(crate) has_findings: bool,
-    /// Keys beside those of all audits.
+    /// The keys specific to the kind of input.
     pub(crate) extra: Map<String, Value>,
 }
 
-/// A note on the input, in a line.
 #[derive(Debug)]
 pub(crate) enum Note {
     Plain(String),
     Warning(String),
-    /// A detail, which is in text only.
+    /// A detail, shown only in text.
     Detail(String),
 }
 
 impl AuditReport {
-    /// Nothing is known yet.
     pub(crate) fn new(input: &str) -> Self {
         Self {
             input: input.to_owned(),
@@ -116,7 +105,6 @@ impl AuditReport {
         }
     }
 
-    /// Drops causes and remedies.
     pub(crate) fn unexplained(self) -> Self {
         let all = |all: Vec<Diagnosis>| all.into_iter().map(Diagnosis::unexplained).collect();
         Self {
@@ -127,12 +115,12 @@ impl AuditReport {
         }
     }
 
-    /// The number of things that were found, listed or not.
+    /// The number of all findings, listed or not.
     pub(crate) fn total(&self) -> u64 {
         self.violation_count + self.finding_count + self.coverage.as_ref().map_or(0, |found| found.total() as u64)
     }
 
-    /// The listed diagnoses: causes first, those in words of features before those of the structure; then what follows from others.
+    /// Returns the listed diagnoses: causes first, in terms of features before structure; then consequences.
     pub(crate) fn listed(&self) -> impl Iterator<Item = &Diagnosis> {
         let all = || {
             let of_coverage = self.coverage.iter().flat_map(Coverage::findings);
@@ -142,7 +130,7 @@ impl AuditReport {
         all().filter(|one| one.follows_from.is_none()).chain(follows(true)).chain(follows(false))
     }
 
-    /// The listed diagnoses that follow from others, by the ids of these.
+    /// Returns the listed consequences, by the ids of their causes.
     pub(crate) fn consequences(&self) -> HashMap<&str, Vec<&Diagnosis>> {
         let mut found: HashMap<&str, Vec<&Diagnosis>> = HashMap::new();
         for one in self.listed().filter(|one| one.accepted.is_none()) {
@@ -153,8 +141,7 @@ impl AuditReport {
         found
     }
 
-    /// The number of diagnoses that are not accepted and follow from no other one, as far as is known: what is not listed counts. And the number of
-    /// those that follow from others.
+    /// Returns the numbers of unaccepted causes and of unaccepted consequences. A diagnosis that is not listed counts as a cause.
     pub(crate) fn causes(&self) -> [usize; 2] {
         let open = |follows: bool| {
             self.listed().filter(move |one| one.accepted.is_none() && one.follows_from.is_some() == follows).count()
@@ -162,21 +149,18 @@ impl AuditReport {
         [open(false) + self.unlisted(), open(true)]
     }
 
-    /// The number of diagnoses that are not listed.
     fn unlisted(&self) -> usize {
         (self.total() as usize).saturating_sub(self.listed().count())
     }
 
-    /// The number of violations that are not accepted.
     fn open_violations(&self) -> u64 {
         let accepted = self.violations.iter().filter(|one| one.accepted.is_some()).count();
         self.violation_count.saturating_sub(accepted as u64)
     }
 
-    /// The verdict.
     pub(crate) fn verdict(&self) -> Verdict {
         let of_coverage = self.coverage.as_ref().filter(|_| self.style.is_rule).map_or(0, Coverage::open);
-        // Those of a mesh may be no faults, if they are listed.
+        // Findings of a mesh may be harmless; the list shows it.
         let of_faces = self.finding_count > 0
             && (self.findings.is_empty() || self.findings.iter().any(|finding| finding.is_violation));
         if self.open_violations() > 0 || of_coverage > 0 || of_faces {
@@ -188,13 +172,13 @@ impl AuditReport {
         }
     }
 
-    /// Returns true if every rule that applies was checked and holds, apart from what was accepted.
+    /// Returns true if every rule that applies was checked and holds, apart from accepted findings.
     fn holds(&self) -> bool {
         let is_accepted = self.violation_count > 0 && self.open() == 0;
         self.valid || is_accepted
     }
 
-    /// The first cause of what is wrong.
+    /// Returns the first cause.
     pub(crate) fn first(&self) -> Option<&Diagnosis> {
         if self.verdict() != Verdict::Invalid {
             return None;
@@ -202,7 +186,6 @@ impl AuditReport {
         self.listed().find(|one| one.is_violation)
     }
 
-    /// Gives their ids to all findings that are listed.
     pub(crate) fn identify(&mut self) {
         let mut identities = Identities::default();
         let of_coverage = self.coverage.iter_mut().flat_map(Coverage::findings_mut);
@@ -212,13 +195,13 @@ impl AuditReport {
         }
     }
 
-    /// The listed findings that can be accepted: those of the coverage and those between layers.
+    /// Returns the listed findings that can be accepted: findings of the coverage and between layers.
     pub(crate) fn acceptable(&self) -> impl Iterator<Item = &Diagnosis> {
         let between = self.findings.iter().filter(|one| is_between_layers(one));
         self.coverage.iter().flat_map(Coverage::findings).chain(between)
     }
 
-    /// Marks the findings that are accepted: they make nothing invalid. Then notes what follows from what.
+    /// Marks accepted findings, which make nothing invalid, and then records the cause of each finding.
     pub(crate) fn settle(&mut self, accepted: Option<&Accepted>) {
         if let Some(accepted) = accepted {
             let between = self.findings.iter_mut().filter(|one| is_between_layers(one));
@@ -243,7 +226,7 @@ impl AuditReport {
         }
     }
 
-    /// The number of rules that were not checked. What relies on a rule whose violations are all accepted is accepted with them.
+    /// The number of unchecked rules. A rule that relies on another rule counts as accepted if all violations of that rule are accepted.
     fn open(&self) -> usize {
         let is_accepted = |rule: Rule| {
             let line = self.rules.iter().find(|line| line.id == rule.id());
@@ -254,12 +237,12 @@ impl AuditReport {
             line.is_open() && !broken.is_some_and(is_accepted)
         };
         let open = self.rules.iter().filter(is_open).count();
-        // All but C6.
+        // Only C6 was checked.
         let is_open = self.coverage.as_ref().is_some_and(|coverage| coverage.not_checked().is_some());
         open + if self.style.is_rule && is_open { CoverageRule::ALL.len() - 1 } else { 0 }
     }
 
-    /// The reason why the verdict is not known, in sentences.
+    /// The reasons, in sentences, why the verdict is unknown.
     pub(crate) fn unknown(&self) -> Vec<String> {
         if self.verdict() != Verdict::Unknown {
             return Vec::new();
@@ -272,7 +255,7 @@ impl AuditReport {
         open.into_iter().chain(self.doubts.iter().cloned()).collect()
     }
 
-    /// The verdict, in a sentence; of a coverage in which something was found, that on the structure and that on the coverage.
+    /// Returns the verdict in a sentence. If the coverage has findings, the sentence has separate verdicts on the structure and on the coverage.
     pub(crate) fn sentence(&self) -> String {
         let verdict = self.verdict();
         let accepted = match self.accepted.as_ref().map_or(0, |summary| summary.count) {
@@ -318,7 +301,7 @@ impl AuditReport {
         }
     }
 
-    /// The advice where all clashes of borders are missing vertices, or borders closer than a cell of the finest grid: no overlap and no gap explains
+    /// Returns advice if all clashes of borders are missing vertices, or borders closer than a cell of the finest grid: no overlap or gap explains
     /// these.
     pub(crate) fn advice(&self) -> Option<&'static str> {
         let clashes = || self.violations.iter().filter(|one| one.rule == Some(Rule::G4.id()) && one.accepted.is_none());
@@ -330,18 +313,15 @@ borders met, and `twinedge clean` makes them meet",
         )
     }
 
-    /// The name of the rule that a finding breaks.
     pub(crate) fn name_of_rule(&self, one: &Diagnosis) -> &'static str {
         let rule = self.rules.iter().find(|rule| Some(rule.id) == one.rule);
         rule.map_or(one.kind.name(), |rule| rule.name)
     }
 
-    /// The unit of lengths, if there are any.
     pub(crate) fn unit(&self) -> Option<&'static str> {
         self.coverage.as_ref().filter(|coverage| coverage.has_polygons()).map(Coverage::unit)
     }
 
-    /// Around each finding.
     pub(crate) fn windows(&self) -> Vec<Window> {
         let of = |one: &Diagnosis| {
             let Trace { points, lines, polygons } = &one.trace;
@@ -351,7 +331,6 @@ borders met, and `twinedge clean` makes them meet",
         self.listed().filter_map(of).collect()
     }
 
-    /// The audit as one JSON object.
     pub(crate) fn json(&self) -> impl Serialize + '_ {
         #[derive(Serialize)]
         struct Json<'a> {
@@ -417,12 +396,12 @@ borders met, and `twinedge clean` makes them meet",
     }
 }
 
-/// Returns true if it breaks one of the rules X1 … X6.
+/// Returns true if the finding breaks one of the rules X1 … X6.
 fn is_between_layers(one: &Diagnosis) -> bool {
     one.rule.is_some_and(|rule| rule.starts_with('X'))
 }
 
-/// The first thing that is wrong, in JSON.
+/// The first cause, in JSON.
 #[derive(Serialize)]
 struct First<'a> {
     rule: Option<&'static str>,
@@ -430,10 +409,9 @@ struct First<'a> {
     at: Option<Position>,
 }
 
-/// The words for the number of faces.
+/// The label for the number of faces.
 pub(crate) const FACES: &str = "faces (F), the unbounded one included";
 
-/// The numbers of records, in words.
 pub(crate) fn counts(counts: &Counts) -> Vec<(&'static str, String)> {
     let or_unknown = |n: Option<usize>| n.map_or_else(|| "unknown".to_owned(), grouped);
     vec![

@@ -11,10 +11,9 @@ use std::collections::BTreeMap;
 use twinedge_coverage::CoverageRule;
 use twinedge_formats::diagnosis::{Diagnosis, FeatureName};
 
-/// The place of the schema.
 const SCHEMA: &str = "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json";
 
-/// The report. Findings that make the input invalid are errors, what follows from others is a note, the rest are warnings.
+/// Returns the report. Findings that make the input invalid are errors, consequences are notes, the rest are warnings.
 pub(crate) fn sarif(report: &AuditReport) -> Value {
     let rules = rules(report);
     let numbers: BTreeMap<&str, usize> = rules.iter().enumerate().map(|(number, rule)| (rule.0, number)).collect();
@@ -46,7 +45,7 @@ pub(crate) fn sarif(report: &AuditReport) -> Value {
     })
 }
 
-/// Id, name and statement of each rule that has a result, or could have one.
+/// Returns id, name and statement of each rule that has a result or could have one.
 fn rules(report: &AuditReport) -> Vec<(&'static str, &'static str, &'static str)> {
     let own = report.rules.iter().map(|rule| (rule.id, rule.name, rule.statement));
     let of_coverage = CoverageRule::ALL.iter().map(|rule| (rule.id(), rule.name(), statement(*rule)));
@@ -78,7 +77,7 @@ fn result(report: &AuditReport, one: &Diagnosis, numbers: &BTreeMap<&str, usize>
         "" => format!("{name}{who}{place}"),
         message => format!("{name}{who}: {message}{place}"),
     };
-    // A region is needed where results are shown beside the lines of a file.
+    // Viewers that show results next to the lines of a file need a region.
     let location = json!({
         "physicalLocation": {
             "artifactLocation": { "uri": uri(&report.input), "index": 0 },
@@ -99,7 +98,6 @@ fn result(report: &AuditReport, one: &Diagnosis, numbers: &BTreeMap<&str, usize>
     result
 }
 
-/// A path as a relative reference of RFC 3986.
 fn uri(path: &str) -> String {
     let of = |byte: u8| match byte {
         b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'-' | b'.' | b'_' | b'~' | b'/' => char::from(byte).to_string(),
@@ -132,7 +130,7 @@ mod tests {
         assert_eq!(run["toolExecutionNotifications"][0], json!({"level": "error", "message": {"text": "time was up"}}));
     }
 
-    /// The characters that RFC 3986 leaves as they are, and no others.
+    /// RFC 3986 leaves these characters, and no others, unescaped.
     #[test]
     fn a_path_is_a_reference() {
         assert_eq!(uri("a b/ä#?.shp"), "a%20b/%C3%A4%23%3F.shp");

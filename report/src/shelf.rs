@@ -1,34 +1,34 @@
-//! Places that keep the features of a map until its tiles are judged.
+//! Storage for the features of a map until its tiles are judged.
 
 use std::borrow::Cow;
 use std::io;
 use twinedge_geometry::Point;
 use twinedge_map::Feature;
 
-/// A place that keeps the features of a map, and gives out those of a tile.
+/// Stores the features of a map, and returns the features of a tile.
 pub trait Shelf: Send + Sync {
-    /// Keeps a feature, the next in order.
+    /// Stores the next feature.
     ///
     /// # Errors
-    /// That of the place.
+    /// Returns the storage's errors.
     fn put(&mut self, feature: Feature) -> io::Result<()>;
 
-    /// Shows all features, in order.
+    /// Calls `show` for each feature, in order.
     ///
     /// # Errors
-    /// That of the place.
+    /// Returns the storage's errors.
     fn each(&mut self, show: &mut dyn FnMut(&Feature)) -> io::Result<()>;
 
-    /// Files each feature under its tiles. `windows` has for each tile the corners of a box around all features that are to be filed under it.
+    /// Files each feature under its tiles. `windows` has, for each tile, the corners of a box around the features to file under it.
     ///
     /// # Errors
-    /// That of the place.
+    /// Returns the storage's errors.
     fn file(&mut self, windows: &[[Point; 2]], tiles_of: &dyn Fn(&Feature) -> Vec<usize>) -> io::Result<()>;
 
-    /// The features that were filed under a tile, with their numbers, in order, and perhaps others.
+    /// Returns the features filed under a tile with their numbers, in order; it may return others as well.
     ///
     /// # Errors
-    /// That of the place.
+    /// Returns the storage's errors.
     fn of_tile(&self, tile: usize) -> io::Result<Vec<(u32, Cow<'_, Feature>)>>;
 }
 
@@ -40,13 +40,13 @@ pub struct InMemory {
 }
 
 impl InMemory {
-    /// All features, in order.
+    /// Returns all features, in order.
     #[must_use]
     pub fn features(&self) -> &[Feature] {
         &self.features
     }
 
-    /// All features, in order.
+    /// Returns all features, in order.
     #[must_use]
     pub fn into_features(self) -> Vec<Feature> {
         self.features

@@ -14,10 +14,10 @@ use std::io::BufRead;
 use twinedge::validate::{Collect, Expectation, ParseExpectationError, Rule, Table, validate};
 use twinedge_formats::diagnosis::{Diagnosis, Kind, Records};
 
-/// Begins a comment that says what the tables below it are held to.
+/// Begins a comment with the expectation for the tables below it.
 pub const EXPECT: &str = "# expect:";
 
-/// Returns true if a file that begins so has tables. Every table begins with `P` or `V`; comments may precede it.
+/// Returns true if a file with this beginning has tables. Every table begins with `P` or `V`; comments may precede it.
 pub(crate) fn is_table_file(beginning: &[u8]) -> bool {
     let text = String::from_utf8_lossy(beginning);
     let lines = text.lines().map(str::trim_start).filter(|line| !line.is_empty());
@@ -25,7 +25,7 @@ pub(crate) fn is_table_file(beginning: &[u8]) -> bool {
     lines.next().is_some_and(|line| line.starts_with(EXPECT) || line.starts_with("P ") || line.starts_with("V "))
 }
 
-/// No line may be longer, in bytes.
+/// The maximal number of bytes in a line.
 const LONGEST_LINE: u64 = 1 << 30;
 
 #[derive(Debug, Default, Serialize)]
@@ -35,9 +35,9 @@ pub(crate) struct TablesReport {
     verdict: Verdict,
     tables: u64,
     valid_tables: u64,
-    /// Tables for which the file has another verdict.
+    /// The number of tables whose verdict in the file differs.
     verdicts_differ: u64,
-    /// The number of tables that break each rule; a table may break several.
+    /// The number of tables that break each rule; a table may break several rules.
     rules: Vec<RuleTables>,
     violations: Vec<Diagnosis>,
     pub(crate) elapsed_ms: f64,
@@ -51,7 +51,6 @@ struct RuleTables {
     tables: u64,
 }
 
-/// Judges each line.
 pub(crate) fn audit(Input { name, reader: mut input, .. }: Input, asked: &Options) -> Result<TablesReport, Error> {
     let list = asked.most();
     let mut audited = TablesReport { input: name, ..TablesReport::default() };
@@ -80,17 +79,16 @@ pub(crate) fn audit(Input { name, reader: mut input, .. }: Input, asked: &Option
 }
 
 impl TablesReport {
-    /// The verdict. Every table is judged, and one with a rule that could not be checked is not valid.
+    /// The verdict. A table with a rule that could not be checked is not valid.
     pub(crate) const fn verdict(&self) -> Verdict {
         if self.valid { Verdict::Valid } else { Verdict::Invalid }
     }
 
-    /// Drops causes and remedies.
     pub(crate) fn unexplained(self) -> Self {
         Self { violations: self.violations.into_iter().map(Diagnosis::unexplained).collect(), ..self }
     }
 
-    /// Judges one table, and compares the verdict with the one behind `=`, if there is one.
+    /// Judges one table, and compares its verdict with the verdict after `=`, if there is one.
     fn judge(
         &mut self,
         line: u64,

@@ -11,10 +11,9 @@ use std::fmt::{Result, Write as _};
 use twinedge_coverage::CoverageRule;
 use twinedge_formats::diagnosis::Diagnosis;
 
-/// The number of findings of each rule that are shown unless asked.
 const SHOWN: usize = 3;
 
-/// The audit for people: causes, each with the number of findings that follow from it.
+/// Returns the audit for people: causes, each with the number of its consequences.
 pub(crate) fn text(report: &AuditReport) -> std::result::Result<String, std::fmt::Error> {
     let CoverageStyle { is_rule, list, decimals } = report.style;
     let mut out = String::new();
@@ -58,7 +57,7 @@ pub(crate) fn text(report: &AuditReport) -> std::result::Result<String, std::fmt
     }
     report.remarks.iter().chain(&report.advice()).try_for_each(|remark| writeln!(out, "{remark}"))?;
     let verdict = report.sentence();
-    // The first words are coloured.
+    // Only the first words are coloured.
     let (words, rest) = verdict.split_at(verdict.find([':', '\u{b7}']).unwrap_or(verdict.len()));
     let style = match report.verdict() {
         Verdict::Valid if rest.starts_with(':') => GOOD,
@@ -69,16 +68,15 @@ pub(crate) fn text(report: &AuditReport) -> std::result::Result<String, std::fmt
     Ok(out)
 }
 
-/// Returns true if the diagnosis follows from no other one and is not accepted.
+/// Returns true if the diagnosis has no cause and is not accepted.
 fn is_cause(one: &Diagnosis) -> bool {
     one.follows_from.is_none() && one.accepted.is_none()
 }
 
-/// Writes causes, each with what follows from it.
 struct Causes<'a> {
     out: &'a mut String,
     follow: HashMap<&'a str, Vec<&'a Diagnosis>>,
-    /// Consequences are written, and not only counted.
+    /// True to write consequences; otherwise they are only counted.
     is_listed: bool,
     decimals: usize,
 }

@@ -13,8 +13,8 @@ use twinedge_formats::diagnosis::{Diagnosis, Records, RuleLine};
 use twinedge_formats::textbook::Textbook;
 use twinedge_map::validate_embedding;
 
-/// Returns true if a file that begins so has the three tables of a textbook: the first word that is no comment is a heading, or the
-/// name of a vertex, a half-edge or a face.
+/// Returns true if a file with this beginning has the three tables of a textbook: its first word outside comments is a heading, or the name of a
+/// vertex, a half-edge or a face.
 pub(crate) fn is_textbook(beginning: &[u8]) -> bool {
     let text = String::from_utf8_lossy(beginning);
     let mut lines = text.lines().map(|line| line.split('#').next().unwrap_or_default());
@@ -27,7 +27,6 @@ pub(crate) fn is_textbook(beginning: &[u8]) -> bool {
     ["vertex", "face", "half-edge", "halfedge"].contains(&word.as_str()) || ['v', 'e', 'f'].into_iter().any(is_name)
 }
 
-/// Reads the tables and validates them.
 pub(crate) fn audit(Input { name, mut reader, .. }: Input, asked: &Options) -> Result<(AuditReport, Textbook), Error> {
     let mut text = String::new();
     reader.read_to_string(&mut text)?;
@@ -57,7 +56,6 @@ pub(crate) fn audit(Input { name, mut reader, .. }: Input, asked: &Options) -> R
     Ok((report, tables))
 }
 
-/// A violation with the names of the tables.
 fn diagnosis(tables: &Textbook, violation: &Violation) -> Diagnosis {
     let places = tables.has_coordinates().then(|| placed(tables, violation));
     let records: Vec<Record> = violation.records().into_iter().flatten().collect();
@@ -83,10 +81,9 @@ pub(crate) fn picture(tables: &Textbook, report: &AuditReport) -> Picture {
     Picture { map, ..Picture::default() }
 }
 
-/// Makes a record of an index.
 type ToRecord = fn(usize) -> Record;
 
-/// Words after which a message of the validator has the index of a record, or two of them with an `and` between.
+/// Words before the index of a record in messages of the validator, possibly of two indices joined by `and`.
 const BEFORE_INDEX: [(&str, ToRecord); 12] = [
     ("half-edge ", Record::HalfEdge),
     ("half-edges ", Record::HalfEdge),
@@ -102,10 +99,9 @@ const BEFORE_INDEX: [(&str, ToRecord); 12] = [
     ("bounds ", Record::Face),
 ];
 
-/// A message with the names of records in place of their indices.
 fn with_names(message: &str, tables: &Textbook) -> String {
     let mut out = String::new();
-    // The meaning of the word before the last, after an index.
+    // The meaning of the word before the last one, after an index.
     let mut kind: Option<ToRecord> = None;
     for (i, word) in message.split(' ').enumerate() {
         let digits = word.bytes().take_while(u8::is_ascii_digit).count();

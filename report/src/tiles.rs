@@ -1,4 +1,4 @@
-//! The audit of a map by its tiles, and of tiles whose summaries were saved.
+//! The audit of a map by tiles, and of tiles with saved summaries.
 
 use crate::coverage::{Coverage, CoverageOptions};
 use crate::error::Error;
@@ -31,20 +31,20 @@ use twinedge_map::{BuildError, BuildSummary, Shape};
 /// The way to divide a map into tiles.
 #[derive(Clone, Copy, Debug)]
 pub enum Division {
-    /// Into so many columns and as many rows.
+    /// This number of columns, and of rows.
     Across(u32),
-    /// So that judging the tiles takes about so many bytes.
+    /// The memory in bytes that judging the tiles may take, approximately.
     Within(u64),
 }
 
-/// The bytes that judging a tile takes for each vertex of the features that it is given, and how many tiles are judged at once.
+/// The bytes used per vertex of the features of a tile, and the number of tiles judged at a time.
 const BYTES: u64 = 700;
 const AT_ONCE: u64 = 3;
 
-/// Grids of up to 2 to this power of columns and rows are chosen.
+/// The finest grid has 2 to this power of columns and rows.
 const FINEST: u32 = 7;
 
-/// Cuts a map that was read onto a shelf into tiles, and says what all of them say.
+/// Divides a map on a shelf into tiles, judges them and merges their summaries.
 pub(crate) fn audit(
     mut imported: Imported,
     asked: &Options,
@@ -60,7 +60,7 @@ pub(crate) fn audit(
     };
     let outcome = judged(&grid, corners, &asked.coverage.limits, shelf, || stage("judging the tiles"))?;
     let summary = &mut imported.summary;
-    // Of segments that are equal, one is an edge.
+    // Equal segments are one edge.
     summary.duplicate_segments = (summary.segments - summary.zero_length_segments).saturating_sub(outcome.counts.edges);
     imported.noted.defects = numbered(&outcome.defects);
     let noted = &imported.noted;
@@ -78,7 +78,7 @@ pub(crate) fn audit(
     })
 }
 
-/// Files the features of a shelf under the tiles of a grid, and judges these; `filed` is called between.
+/// Files the features of a shelf under the tiles of a grid and judges these, calling `filed` in between.
 pub(crate) fn judged(
     grid: &Grid,
     corners: Option<[Point; 2]>,
@@ -94,7 +94,6 @@ pub(crate) fn judged(
     Ok(tile::audit(grid, limits, cuts, |tile| shelf.of_tile(number(tile)))?)
 }
 
-/// The number of a tile, row by row.
 const fn number_of(grid: &Grid, tile: Tile) -> usize {
     tile.row as usize * grid.size()[0] as usize + tile.column as usize
 }
@@ -103,12 +102,12 @@ fn numbered(defects: &[(u32, Vec<Defect>)]) -> Vec<(usize, Vec<Defect>)> {
     defects.iter().map(|(feature, found)| (*feature as usize, found.clone())).collect()
 }
 
-/// The coarsest grid of 1, 2, 4 … columns and rows of which no tile is given more than fits into so many bytes; if there is none, the coarsest one whose
-/// largest tile is at most a quarter larger than that of any other: more tiles take memory, too.
+/// Returns the coarsest grid of 1, 2, 4 … columns and rows whose tiles each fit into `bytes`. If there is none, returns the coarsest grid whose
+/// largest tile is at most a quarter larger than the smallest possible largest tile, since each tile costs memory.
 pub(crate) fn fitting(corners: Option<[Point; 2]>, shelf: &mut dyn Shelf, bytes: u64) -> Result<Grid, Error> {
     let mut sizes = Vec::new();
     for power in 0..=FINEST {
-        // Lines that are not distinct divide nothing.
+        // Coordinates that are not distinct cannot be divided.
         if let Ok(grid) = grid_of(corners, [1 << power; 2]) {
             sizes.push((grid, vec![0_u64; 1 << (2 * power)]));
         }
@@ -139,7 +138,7 @@ fn vertices(shape: &Shape) -> usize {
     }
 }
 
-/// Says what the summary of all tiles says, and that of the same tiles with their edges cut, if there is one. The features are known by their numbers.
+/// Reports the merged summary of all tiles, using the summary of the same tiles with their edges cut, if given. Features are known by their numbers.
 pub(crate) fn audit_summary(
     summary: Summary,
     cut: Option<Summary>,
@@ -194,13 +193,12 @@ pub(crate) fn audit_summary(
     })
 }
 
-/// The numbers of columns and rows.
 pub(crate) fn size(grid: &Grid) -> Value {
     let [columns, rows] = grid.size();
     json!({ "columns": columns, "rows": rows })
 }
 
-/// Refuses a file whose header says that its edges, between longitudes and latitudes in a box, are great circles: tiles take them as straight.
+/// Refuses a file whose header declares that its edges, between longitudes and latitudes in a box, are great circles: tiles have straight edges.
 ///
 /// # Errors
 /// [`Error::NotStraight`].
@@ -209,7 +207,7 @@ pub fn refuse_edges(edges: Option<&str>, crs: Option<&Crs>, corners: Option<[Poi
     edges.filter(|_| are_degrees).map_or(Ok(()), |edges| Err(Error::NotStraight(edges.to_owned())))
 }
 
-/// No cuts yet, of a map in the box between two corners, or of nothing.
+/// Returns empty cuts for a map in the box between two corners, or for nothing.
 ///
 /// # Errors
 /// [`BuildError::OutOfReach`].
@@ -217,12 +215,12 @@ pub fn no_cuts(corners: Option<[Point; 2]>) -> Result<Cuts, BuildError> {
     Cuts::new(corners.iter().flatten().fold(0.0, |most: f64, p| most.max(p.x.abs()).max(p.y.abs())))
 }
 
-/// The grid that divides the box between two corners, or around nothing.
+/// Returns the grid that divides the box between two corners, or a grid around nothing.
 ///
 /// # Errors
 /// [`Error::Grid`].
 pub fn grid_of(corners: Option<[Point; 2]>, [columns, rows]: [u32; 2]) -> Result<Grid, Error> {
-    // A box without width is divided all the same.
+    // A box without width is divided as well.
     let wide = |low: f64, high: f64| if low < high { (low, high) } else { (low.min(0.0) - 1.0, high.max(0.0) + 1.0) };
     let ((left, right), (bottom, top)) = match corners {
         Some([low, high]) => (wide(low.x, high.x), wide(low.y, high.y)),
@@ -231,7 +229,7 @@ pub fn grid_of(corners: Option<[Point; 2]>, [columns, rows]: [u32; 2]) -> Result
     Ok(Grid::new([left, bottom], [right, top], columns, rows)?)
 }
 
-/// Merges summaries, neighbours first; none, if there are none.
+/// Merges summaries, neighbours first; `None` if there are none.
 ///
 /// # Errors
 /// [`Error::Tiles`].
@@ -250,7 +248,7 @@ pub fn merged(mut summaries: Vec<Summary>) -> Result<Option<Summary>, Error> {
     Ok(summaries.pop())
 }
 
-/// The report, apart from what is known of the input. `left_out` says which tiles were, when edges were cut.
+/// Creates the report, without facts about the input. `left_out` explains which tiles were left out when edges were cut.
 fn report(
     imported: &Imported,
     mut outcome: Outcome,
@@ -312,7 +310,7 @@ fn report(
     })
 }
 
-/// The line of a rule of seams; none if it is kept.
+/// The line of a rule of seams; `None` if the rule holds.
 fn seam_line(rule: SeamRule, outcome: &Outcome) -> Option<RuleLine> {
     let faults = outcome.seams.iter().filter(|fault| fault.rule == rule).count();
     let not_given = if rule == SeamRule::Features { outcome.not_given.len() } else { 0 };

@@ -1,4 +1,4 @@
-//! Auditing a topology of PostGIS, as `psql` wrote it, or the arcs of TopoJSON.
+//! The audit of a PostGIS topology, as written by `psql`, or of the arcs of TopoJSON.
 
 use crate::error::Error;
 use crate::input::Input;
@@ -12,7 +12,6 @@ use twinedge_formats::layer::topojson::{self, ArcTopology};
 use twinedge_formats::postgis::{self, Topology, TopologyAudit};
 use twinedge_map::Embedding;
 
-/// Reads a topology of PostGIS and judges it.
 pub(crate) fn audit_postgis(
     Input { name, reader, .. }: Input,
     asked: &Options,
@@ -26,7 +25,6 @@ pub(crate) fn audit_postgis(
     Ok((report, topology))
 }
 
-/// Reads the arcs of an object of TopoJSON and judges them.
 pub(crate) fn audit_arcs(
     Input { name, mut reader, layer, .. }: Input,
     asked: &Options,

@@ -1,4 +1,4 @@
-//! The places on a map where something was found, and its shape of points, lines and polygons.
+//! The places of findings on a map, and their shapes of points, lines and polygons.
 
 use std::collections::HashSet;
 use twinedge::dcel::FaceKey;
@@ -9,20 +9,20 @@ use twinedge_formats::diagnosis::{Diagnosis, Position, Trace, middle};
 use twinedge_geometry::{MAX_COORDINATE, Point};
 use twinedge_map::{Embedding, PlanarMap, places};
 
-/// The places that a finding of a coverage covers: its faces, the stretches of borders of a near miss, or the segments that lack vertices,
-/// and these.
+/// Returns the extent of a coverage finding: its faces, the stretches of borders of a near miss, or the segments that lack vertices, with the
+/// vertices.
 pub(crate) fn of_finding(map: &PlanarMap, finding: &Finding) -> Trace {
     let mut trace = of_extent(map, &finding.faces, &finding.stretches, finding.at);
     if trace.points.is_empty() {
         trace.points = finding.missing.iter().map(|vertex| position(vertex.at)).collect();
     } else {
-        // If the map was seen by its tiles, no more is known of the faces than a corner.
+        // If the map was judged by tiles, a corner of the faces is all that is known.
         trace.points.push(position(finding.corner));
     }
     trace
 }
 
-/// Faces as polygons, stretches as lines; the place if there are neither.
+/// Returns faces as polygons and stretches as lines; the place if there are neither.
 pub(crate) fn of_extent(map: &PlanarMap, faces: &[FaceKey], stretches: &[[Point; 2]], at: Point) -> Trace {
     let lines = stretches.iter().map(|stretch| stretch.map(position).to_vec()).collect();
     let contour = of_faces(map, faces.iter().copied()).unwrap_or_default();
@@ -32,7 +32,8 @@ pub(crate) fn of_extent(map: &PlanarMap, faces: &[FaceKey], stretches: &[[Point;
     Trace { points, lines, polygons }
 }
 
-/// The records of a violation: half-edges and cycles as lines, faces as polygons if their outer cycles turn that way, vertices as points.
+/// Returns the records of a violation: half-edges and cycles as lines, faces as polygons if their outer cycles are counter-clockwise, vertices as
+/// points.
 fn of_violation<E: Embedding + ?Sized>(embedding: &E, violation: &Violation) -> Trace {
     let mut trace = Trace::default();
     for record in violation.records().into_iter().flatten() {
@@ -62,7 +63,7 @@ fn of_violation<E: Embedding + ?Sized>(embedding: &E, violation: &Violation) -> 
     trace
 }
 
-/// Adds a line; a point if it has no length.
+/// Adds a line, or a point if the line has no length.
 fn add_line(trace: &mut Trace, line: Vec<Position>) {
     match line.first() {
         Some(first) if line.iter().all(|p| Some(p) == line.first()) => trace.points.push(*first),
@@ -71,7 +72,6 @@ fn add_line(trace: &mut Trace, line: Vec<Position>) {
     }
 }
 
-/// A violation with its places in an embedding.
 pub(crate) fn placed<E: Embedding + ?Sized>(embedding: &E, violation: &Violation) -> Diagnosis {
     Diagnosis {
         places: Some(places(embedding, violation).into_iter().map(position).collect()),
@@ -81,17 +81,17 @@ pub(crate) fn placed<E: Embedding + ?Sized>(embedding: &E, violation: &Violation
     }
 }
 
-/// Returns false for a component that does not fit in the plane as its borders cross: the corner that stands for it is not at fault.
+/// Returns false for a component that does not fit in the plane because its borders cross: the corner that represents it is not at fault.
 pub(crate) fn has_place(one: &Diagnosis) -> bool {
     one.rule != Some(Rule::T3.id()) || one.follows_from.is_none()
 }
 
-/// A point, with zeros that have no sign.
+/// Converts a point, removing the sign of zeros.
 pub(crate) fn position(point: Point) -> Position {
     [point.x + 0.0, point.y + 0.0]
 }
 
-/// The place to look at for a violation: its vertex if that comes first, where two segments cross, or else the middle of its places.
+/// The place to look at: the violation's vertex if it comes first, the crossing of two segments, or else the centre of its places.
 fn place<E: Embedding + ?Sized>(embedding: &E, violation: &Violation) -> Option<Position> {
     if let [Some(Record::Vertex(v)), _] = violation.records()
         && let Some(at) = vertex(embedding, Some(v))
@@ -102,7 +102,7 @@ fn place<E: Embedding + ?Sized>(embedding: &E, violation: &Violation) -> Option<
     middle(&all)
 }
 
-/// A position, unless it is no point of the plane.
+/// Returns the position if it is a point of the plane.
 pub(crate) fn finite(point: Point) -> Option<Position> {
     (point.x.abs() <= MAX_COORDINATE && point.y.abs() <= MAX_COORDINATE).then(|| position(point))
 }
@@ -112,7 +112,7 @@ fn vertex<E: Embedding + ?Sized>(embedding: &E, vertex: Option<usize>) -> Option
     finite(embedding.point(vertex))
 }
 
-/// From the origin through the bends to the target, as far as they are known.
+/// The line from the origin through the bends to the target, as far as known.
 fn half_edge<E: Embedding + ?Sized>(embedding: &E, h: usize) -> Vec<Position> {
     if h >= embedding.half_edge_slots() || !embedding.is_half_edge(h) {
         return Vec::new();
@@ -129,10 +129,10 @@ pub(crate) fn target<E: Embedding + ?Sized>(embedding: &E, h: usize) -> Option<u
     by_twin.or_else(|| embedding.next(h).filter(live).and_then(|next| embedding.origin(next)))
 }
 
-/// A line along a cycle has no more points, since cycles that are broken may have most of their half-edges in common.
+/// The maximal number of points of a line along a cycle: broken cycles may share most of their half-edges.
 const LONGEST: usize = 50_000;
 
-/// The half-edges from this one on along `next`, until one comes again.
+/// The line along `next` from a half-edge until one repeats.
 fn cycle<E: Embedding + ?Sized>(embedding: &E, start: usize) -> Vec<Position> {
     let mut line: Vec<Position> = Vec::new();
     let mut seen = HashSet::new();
@@ -181,7 +181,7 @@ mod tests {
         let of = |violation| of_violation(&tables, &violation);
         let side = of(Violation::TwinIsSelf { half_edge: 4 });
         assert_eq!(side.lines, [[[0.0, 4.0], [0.0, 0.0]]]);
-        // The cycle of the face does not come back.
+        // The face's cycle does not close.
         let face = of(Violation::NoOuter { face: 1 });
         assert_eq!(face.polygons.len(), 1);
         assert_eq!(of(Violation::TwinIsSelf { half_edge: 99 }), Trace::default());

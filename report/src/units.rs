@@ -1,4 +1,4 @@
-//! Lengths and areas, in the units of the coordinates or along the earth.
+//! Lengths and areas in the units of the coordinates or in metres along the earth.
 
 use crate::error::Error;
 use crate::imported::Imported;
@@ -15,7 +15,7 @@ use twinedge_map::{Embedding, PlanarMap};
 /// The units of lengths and areas.
 #[derive(Debug)]
 pub enum Units {
-    /// The unit of the coordinates, by its name.
+    /// The named unit of the coordinates.
     Plane(&'static str),
     /// Metres along the earth.
     Geodesic(Box<Geodesic>),
@@ -26,10 +26,10 @@ impl Units {
     pub const METRES: &'static str = "metres";
     /// The unit of longitudes and latitudes.
     pub const DEGREES: &'static str = "degrees";
-    /// The unit of coordinates of which nothing is known.
+    /// The name for an unknown unit of coordinates.
     pub const UNKNOWN: &'static str = "units of the coordinates";
 
-    /// Those for a map: metres along the earth, or those of the coordinates.
+    /// Returns the units for a map: metres along the earth, or the units of the coordinates.
     ///
     /// # Errors
     /// [`Error::NotDegrees`].
@@ -44,7 +44,7 @@ impl Units {
         }
     }
 
-    /// The unit of lengths; areas are in its square.
+    /// Returns the unit of lengths; areas are in its square.
     #[must_use]
     pub const fn name(&self) -> &'static str {
         match self {
@@ -53,7 +53,7 @@ impl Units {
         }
     }
 
-    /// A sentence about the units, with the offer of others.
+    /// Returns a sentence on the units that mentions the alternative.
     #[must_use]
     pub fn sentence(&self) -> String {
         match self {
@@ -66,7 +66,7 @@ impl Units {
         }
     }
 
-    /// The length of a chain.
+    /// Returns the length of a chain.
     #[must_use]
     pub fn length(&self, chain: &[Point]) -> f64 {
         chain.windows(2).map(|pair| self.distance(pair[0], pair[1])).sum()
@@ -79,18 +79,17 @@ impl Units {
         }
     }
 
-    /// The area of a bounded face, whose edges are straight in longitude and latitude, as they are on the map: areas add up, and none is
-    /// negative.
+    /// Returns the area of a bounded face. Edges are straight in longitude and latitude, as on the map, so areas add up and none is negative.
     #[must_use]
     pub fn area(&self, map: &PlanarMap, face: Face<'_>) -> f64 {
         let Self::Geodesic(earth) = self else { return face_area(map, face.key()).unwrap_or_default() };
         let base = face.half_edges().next().map_or(0.0, |h| point(map, h.origin()).y);
         let ends = face.half_edges().map(|h| [point(map, h.origin()), point(map, h.target())]);
-        // The inside lies to the left: above an edge that runs to the east.
+        // The inside lies to the left: above an edge that runs east.
         -ends.map(|edge| area_above(earth, base, edge)).sum::<f64>()
     }
 
-    /// The area of a set of faces, and the length all around it.
+    /// The area of a set of faces, and the length of their boundary.
     fn area_and_length(&self, map: &PlanarMap, faces: &[FaceKey]) -> (f64, f64) {
         let faces: Vec<Face<'_>> = faces.iter().filter_map(|f| map.dcel().face(*f).ok()).collect();
         let inside: HashSet<usize> = faces.iter().map(|face| face.index()).collect();
@@ -99,7 +98,6 @@ impl Units {
         (faces.iter().map(|face| self.area(map, *face)).sum(), length)
     }
 
-    /// A finding between layers in these units.
     pub(crate) fn convert_between(&self, map: &PlanarMap, finding: &mut LayerFinding) {
         let Self::Geodesic(_) = self else { return };
         if finding.faces.is_empty() {
@@ -110,7 +108,7 @@ impl Units {
         finding.width = if finding.length > 0.0 { 2.0 * finding.area / finding.length } else { 0.0 };
     }
 
-    /// A finding in these units. The area of a near miss is scaled as at its place: it has no faces.
+    /// Converts a finding to these units. A near miss has no faces, so its area is scaled as at its place.
     pub(crate) fn convert(&self, map: &PlanarMap, finding: &mut Finding) {
         let Self::Geodesic(_) = self else { return };
         if finding.rule == CoverageRule::Mismatch {
@@ -130,7 +128,7 @@ impl Units {
     }
 }
 
-/// The area on the ellipsoid between a parallel and an edge; negative if the edge lies below it, or runs to the west.
+/// The area on the ellipsoid between a parallel and an edge; negative if the edge lies below the parallel or runs west.
 fn area_above(earth: &Geodesic, parallel: f64, [a, b]: [Point; 2]) -> f64 {
     let squared = earth.f * (2.0 - earth.f);
     // The area of a small rectangle of longitudes and latitudes, in radians.
@@ -142,7 +140,7 @@ fn area_above(earth: &Geodesic, parallel: f64, [a, b]: [Point; 2]) -> f64 {
     (b.x - a.x).to_radians() * mean(|part| column(a.y - parallel + (b.y - a.y) * part))
 }
 
-/// The mean of a smooth function from 0 to 1, by the five nodes of Gauss and Legendre.
+/// The mean of a smooth function from 0 to 1, by Gauss–Legendre quadrature with five nodes.
 fn mean(function: impl Fn(f64) -> f64) -> f64 {
     const NODES: [(f64, f64); 3] = [
         (0.0, 0.568_888_888_888_888_9),
@@ -169,7 +167,6 @@ mod tests {
         Units::Geodesic(Box::new(Geodesic::wgs84()))
     }
 
-    /// The area of a polygon on the earth.
     fn area(points: &[[f64; 2]]) -> f64 {
         let mut builder = Builder::new();
         builder.shape(&Shape::Polygon(vec![points.iter().copied().map(Point::from).collect()])).expect("in range");
@@ -178,8 +175,8 @@ mod tests {
         earth().area(&map, face)
     }
 
-    /// A square of one degree at the equator has a perimeter of 443770.917 m (the documentation of `PolygonArea` in the library
-    /// `GeographicLib`). The area is the limit of `PolygonArea` for 100, 1000 and 4000 points on each side: between the corners alone it has the area between geodesics.
+    /// A square of one degree at the equator has a perimeter of 443770.917 m (the documentation of `PolygonArea` in the library `GeographicLib`). The
+    /// area is the limit of `PolygonArea` with 100, 1000 and 4000 points on each side: with the corners alone, edges would be geodesics.
     #[test]
     fn a_degree_at_the_equator_is_as_large_as_geographiclib_says() {
         let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [0.0, 0.0]];
@@ -189,8 +186,8 @@ mod tests {
         assert!((area(&square) - 12_308_463_893.975).abs() < 0.05, "{}", area(&square));
     }
 
-    /// The parallel of 60 degrees lies to the south of the geodesic between its ends: by geodesics, this strip has an area of -2.6e9 m². The
-    /// limit of `PolygonArea` with points between, as above.
+    /// The parallel of 60 degrees lies south of the geodesic between its ends: with geodesics, this strip has an area of -2.6e9 m². The expected area
+    /// is the limit of `PolygonArea` with more and more points on each side.
     #[test]
     fn a_thin_strip_has_no_negative_area() {
         let strip = area(&[[0.0, 60.0], [10.0, 60.0], [5.0, 60.01], [0.0, 60.0]]);

@@ -1,26 +1,26 @@
-//! The verdict, with three values, and what it is about.
+//! The verdict, with three values, and the judged bytes.
 
 use serde::{Deserialize, Serialize};
 
-/// The verdict of an audit. Nothing is valid by default.
+/// The verdict of an audit. The default is not `Valid`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 #[non_exhaustive]
 pub enum Verdict {
-    /// Everything that applies was checked, and holds.
+    /// Every rule that applies was checked and holds.
     Valid,
-    /// Something is wrong.
+    /// A rule is broken.
     Invalid,
-    /// Nothing wrong was found, and not everything was checked.
+    /// No broken rule was found, but not every rule was checked.
     #[default]
     Unknown,
 }
 
-/// The bytes that were judged.
+/// The judged bytes.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Judged {
-    /// Their SHA-256, in hexadecimal digits.
+    /// The SHA-256 in hexadecimal digits.
     pub sha256: String,
-    /// Their number.
+    /// The number of bytes.
     pub bytes: u64,
 }

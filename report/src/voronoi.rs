@@ -1,4 +1,4 @@
-//! The cells and the triangles of points, as GeoJSON.
+//! The Voronoi cells and the Delaunay triangles of points, as GeoJSON.
 
 use crate::outline::ring;
 use crate::words::counted;
@@ -14,11 +14,11 @@ use twinedge_map::PlanarMap;
 pub struct Sites {
     /// The points.
     pub points: Vec<Point>,
-    /// The properties of the feature of each.
+    /// The properties of each point's feature.
     pub properties: Vec<Map<String, Value>>,
 }
 
-/// A feature has another geometry than points.
+/// The error for a feature whose geometry is not points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("feature {feature}: its geometry is no point but {kind}")]
 pub struct OtherGeometry {
@@ -29,7 +29,7 @@ pub struct OtherGeometry {
 }
 
 impl Sites {
-    /// The points of a layer.
+    /// Returns the points of a layer.
     ///
     /// # Errors
     /// [`OtherGeometry`].
@@ -51,17 +51,16 @@ impl Sites {
     }
 }
 
-/// A polygon without holes, closed.
 fn polygon(map: &PlanarMap, face: FaceKey, properties: &Map<String, Value>) -> Result<Value, StaleKey> {
     let geometry = json!({"type": "Polygon", "coordinates": [ring(map, face)?]});
     Ok(json!({"type": "Feature", "properties": properties, "geometry": geometry}))
 }
 
-/// The cells as a feature collection, and what they are in a line. A cell that points share because they are too close to each other has the
-/// others as `merged`.
+/// Returns the cells as a feature collection, and a one-line summary. If points are too close to have separate cells, one feature has the cell and
+/// lists the others as `merged`.
 ///
 /// # Errors
-/// None that happens: each cell is a face of the map.
+/// Never: each cell is a face of the map.
 pub fn cells(found: &Voronoi, sites: &Sites) -> Result<(String, String), StaleKey> {
     let mut features = Vec::new();
     let mut seen = std::collections::HashSet::new();
@@ -84,7 +83,7 @@ pub fn cells(found: &Voronoi, sites: &Sites) -> Result<(String, String), StaleKe
     Ok((collection.to_string() + "\n", what))
 }
 
-/// The points that share the cell of another one, in words; none if no point does.
+/// Describes the points that share another point's cell; `None` if no point does.
 #[must_use]
 pub fn shared(found: &Voronoi) -> Option<String> {
     const LISTED: usize = 5;
@@ -96,10 +95,10 @@ pub fn shared(found: &Voronoi) -> Option<String> {
     (!found.merged.is_empty()).then(shared)
 }
 
-/// The triangles as a feature collection, and what they are in a line.
+/// Returns the triangles as a feature collection, and a one-line summary.
 ///
 /// # Errors
-/// None that happens: each triangle is a face of the map.
+/// Never: each triangle is a face of the map.
 pub fn triangles(found: &Delaunay) -> Result<(String, String), StaleKey> {
     let mut first = std::collections::HashMap::new();
     for (site, vertex) in found.vertices.iter().enumerate() {

@@ -1,8 +1,8 @@
-//! Numbers and names in text for people, and JSON.
+//! Numbers and names in text for people, and JSON output.
 
 use serde_json::Value;
 
-/// A number with its thousands set off.
+/// Formats a number with grouped thousands.
 #[must_use]
 pub fn grouped(n: impl TryInto<u64>) -> String {
     let digits = n.try_into().unwrap_or_default().to_string();
@@ -16,7 +16,7 @@ pub fn grouped(n: impl TryInto<u64>) -> String {
     out
 }
 
-/// A number of things, with their name in the singular or in the plural.
+/// Formats a count with its noun, singular or plural.
 #[must_use]
 pub fn counted(n: usize, name: &str) -> String {
     let plural = match name.strip_suffix("ex") {
@@ -27,36 +27,36 @@ pub fn counted(n: usize, name: &str) -> String {
     format!("{} {plural}", grouped(n))
 }
 
-/// The number of rules that were not checked, to be added to a verdict; nothing if all were.
+/// A suffix for a verdict with the number of unchecked rules; empty if all were checked.
 pub(crate) fn not_checked(rules: usize) -> String {
     if rules == 0 { String::new() } else { format!("; {} not checked", counted(rules, "rule")) }
 }
 
-/// A measure with four decimal places, or with four digits where these would show none.
+/// Formats a measure with four decimal places, or with four significant digits if these would show nothing.
 #[must_use]
 pub fn measure(x: f64) -> String {
     if x != 0.0 && !(1e-3..1e12).contains(&x.abs()) { format!("{x:.3e}") } else { format!("{x:.4}") }
 }
 
-/// The number of decimal places of a place on a map in text: to a ten-millionth of the greatest coordinate.
+/// Returns the number of decimal places for coordinates on a map: a ten-millionth of the greatest coordinate.
 #[must_use]
 pub fn decimals(greatest: f64) -> usize {
     let before = if greatest > 0.0 && greatest.is_finite() { greatest.log10().ceil() } else { 0.0 };
     (0_u8..15).take_while(|places| f64::from(*places) < 7.0 - before).count()
 }
 
-/// The number of decimal places at which a place stays inside something of this width.
+/// Returns the number of decimal places at which a point stays inside something of this width.
 #[must_use]
 pub fn decimals_of(width: Option<f64>) -> usize {
     let width = width.filter(|width| *width > 0.0).unwrap_or(f64::INFINITY);
     (0..17).take_while(|places| 10_f64.powi(-places) > width / 100.0).count()
 }
 
-/// A place in text, with so many decimal places at most.
+/// Formats a place with at most `decimals` decimal places.
 #[must_use]
 pub fn place([x, y]: [f64; 2], decimals: usize) -> String {
     let [x, y] = [x, y].map(|x| {
-        // No more digits than the number has.
+        // Shows no more digits than the number has.
         let [rounded, own] = [format!("{x:.decimals$}"), x.to_string()];
         let text = if own.len() < rounded.len() { own } else { rounded };
         let short = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
@@ -65,14 +65,13 @@ pub fn place([x, y]: [f64; 2], decimals: usize) -> String {
     format!("({x}, {y})")
 }
 
-/// A text from a map or the command line as it may stand on a terminal: without control characters, which could break lines
-/// or pass for commands to it.
+/// Removes control characters from a text of a map or the command line, because they could break lines or act as commands to a terminal.
 #[must_use]
 pub fn plain(text: &str) -> String {
     text.chars().map(|c| if c.is_control() { char::REPLACEMENT_CHARACTER } else { c }).collect()
 }
 
-/// Text as it may stand in XML 1.0, in an element or an attribute.
+/// Escapes text for an element or an attribute of XML 1.0.
 pub(crate) fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
@@ -82,7 +81,7 @@ pub(crate) fn escaped(text: &str) -> String {
             '>' => out.push_str("&gt;"),
             '"' => out.push_str("&quot;"),
             '\n' => out.push_str("&#10;"),
-            // XML has no way to write the others.
+            // XML cannot represent the others.
             c if (c < ' ' && c != '\t') || matches!(c, '\u{fffe}' | '\u{ffff}') => out.push('\u{fffd}'),
             c => out.push(c),
         }
@@ -90,10 +89,10 @@ pub(crate) fn escaped(text: &str) -> String {
     out
 }
 
-/// A value as indented JSON, in which 0 has no sign.
+/// Formats a value as indented JSON in which 0 has no sign.
 ///
 /// # Errors
-/// Those of the value, if it refuses to be JSON.
+/// Returns the value's error, if it cannot be serialized.
 pub fn json(value: &impl serde::Serialize) -> serde_json::Result<Vec<u8>> {
     let mut value = serde_json::to_value(value)?;
     drop_signs_of_zero(&mut value);
@@ -111,17 +110,17 @@ fn drop_signs_of_zero(value: &mut Value) {
     }
 }
 
-/// The colours of results; off where the output is no terminal.
+/// The colours of results; off if the output is not a terminal.
 pub mod style {
     use anstyle::{AnsiColor, Style};
 
-    /// Of what is right.
+    /// For valid results.
     pub const GOOD: Style = AnsiColor::Green.on_default().bold();
-    /// Of what is wrong.
+    /// For invalid results.
     pub const BAD: Style = AnsiColor::Red.on_default().bold();
-    /// Of a structure that is valid, where something else was found.
+    /// For a valid structure with other findings.
     pub const DOUBTFUL: Style = AnsiColor::Yellow.on_default().bold();
-    /// Of what is said beside.
+    /// For secondary text.
     pub const QUIET: Style = AnsiColor::BrightBlack.on_default();
 }
 

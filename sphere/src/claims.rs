@@ -1,7 +1,7 @@
 //! The features that cover each face.
 //!
-//! A polygon is on one side of each arc that its rings have an odd number of times. So from one face to the next it is known which polygons begin and end, exactly. What
-//! remains is which of the two sides of all its arcs is the inside: on a sphere both are bounded.
+//! A polygon lies on one side of each arc that its rings contain an odd number of times, so the polygons that begin and end from one face to the next
+//! are known exactly. The remaining question is which side of its arcs is the inside, because both sides are bounded on a sphere.
 
 use crate::drawing::{Drawing, toggle};
 use crate::measure::{RADIUS, WHOLE, areas, signed_area};
@@ -11,11 +11,11 @@ use crate::subdivision::Subdivision;
 /// The side of its rings on which a polygon lies.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Inside {
-    /// The smaller one, whichever way rings turn, which is why no polygon is larger than half the sphere: as `ST_GEOGFROMGEOJSON` and `ST_GEOGFROMTEXT` of
-    /// `BigQuery` take rings unless told that they are oriented.
+    /// The smaller side, for any orientation of the rings, so no polygon is larger than half the sphere. `ST_GEOGFROMGEOJSON` and `ST_GEOGFROMTEXT`
+    /// of `BigQuery` take rings like this unless told that they are oriented.
     #[default]
     Smaller,
-    /// To the left of the outer ring, which is counter-clockwise (RFC 7946), whatever its size, as `BigQuery` with `oriented => TRUE` and S2 have it.
+    /// The left of the outer ring, which is counter-clockwise (RFC 7946), for any size, as in S2 and in `BigQuery` with `oriented => TRUE`.
     Left,
 }
 
@@ -23,15 +23,15 @@ pub enum Inside {
 #[derive(Clone, Debug)]
 pub struct Cover<'a> {
     pub(crate) map: &'a Subdivision,
-    /// On the sphere of radius 1.
+    /// The areas on the unit sphere.
     pub(crate) areas: Vec<f64>,
     /// The features of each face, in order.
     pub(crate) features: Vec<Vec<u32>>,
 }
 
 impl<'a> Cover<'a> {
-    /// All that the polygons of a drawing cover on the map that is made of it. O(n + c) for n half-edges and faces, each counted once for each polygon that covers
-    /// it, and c points of rings.
+    /// Computes the features that cover each face of the map made from a drawing. O(n + c) for n half-edges and faces, each counted once for each
+    /// polygon that covers it, and c points of rings.
     #[must_use]
     pub fn new(map: &'a Subdivision, drawing: &Drawing, inside: Inside) -> Self {
         let areas = areas(map);
@@ -59,20 +59,21 @@ impl<'a> Cover<'a> {
         let features = |side: Vec<u32>| {
             let mut features: Vec<u32> =
                 side.into_iter().map(|polygon| drawing.polygons()[polygon as usize].feature).collect();
-            // They come in order, and so do their polygons.
+            // Features come in order, and so do their polygons.
             features.dedup();
             features
         };
         Self { map, areas, features: sides.into_iter().map(features).collect() }
     }
 
-    /// The features that cover a place, in order; on an arc, those that cover a face beside it. O(s) for s arcs that are within a narrow stripe of longitudes.
+    /// Returns the features that cover a place, in order; on an arc, the features of one of its two faces. O(s) for s arcs within a narrow stripe of
+    /// longitudes.
     #[must_use]
     pub fn features_at(&self, place: Place) -> &[u32] {
         &self.features[self.map.locate(place) as usize]
     }
 
-    /// The area that a feature covers, in square metres. O(faces).
+    /// Returns the area covered by a feature, in square metres. O(faces).
     #[must_use]
     pub fn area_of(&self, feature: u32) -> f64 {
         let of = |(area, features): (&f64, &Vec<u32>)| features.binary_search(&feature).map_or(0.0, |_| *area);
@@ -80,7 +81,7 @@ impl<'a> Cover<'a> {
     }
 }
 
-/// The polygons that lie on the other side of their rings than the first face does, by face.
+/// Returns, for each face, the polygons that lie on the other side of their rings than the first face does.
 fn sides(map: &Subdivision) -> Vec<Vec<u32>> {
     let mut darts = vec![Vec::new(); map.face_count()];
     for dart in 0..map.dart_count() as u32 {

@@ -1,4 +1,4 @@
-//! All places where arcs meet elsewhere than at common ends.
+//! All places where arcs meet other than at common ends.
 
 use crate::drawing::Drawing;
 use crate::place::Place;
@@ -9,20 +9,20 @@ use rstar::{AABB, RTree};
 use twinedge_geometry::Point;
 use twinedge_geometry::predicates::{Endpoint, Meeting};
 
-/// A reason why arcs do not draw a map. Places and arcs are named by their numbers; of two arcs the smaller comes first.
+/// A reason why arcs do not draw a map. Places and arcs are given by number, the smaller arc first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Clash {
-    /// Two arcs cross in a place inside both.
+    /// Two arcs cross at a place inside both.
     Cross {
         /// The arcs.
         arcs: [u32; 2],
     },
-    /// Two arcs of one great circle have more than a place in common.
+    /// Two arcs of one great circle share more than a place.
     Overlap {
         /// The arcs.
         arcs: [u32; 2],
     },
-    /// A place that is the end of an arc lies inside another one.
+    /// A place that is the end of an arc lies inside another arc.
     Touch {
         /// The place.
         place: u32,
@@ -32,7 +32,8 @@ pub enum Clash {
 }
 
 impl Clash {
-    /// The place of a clash of a drawing in degrees: where two arcs cross, rounded; where one of two that overlap ends inside the other, or else ends with it.
+    /// Returns the place of a clash in degrees: the rounded crossing of two arcs, or for an overlap an end inside the other arc, or else a common
+    /// end.
     #[must_use]
     pub fn at(&self, drawing: &Drawing) -> Point {
         let places = |arc: u32| drawing.arcs()[arc as usize].ends.map(|end| drawing.places()[end as usize]);
@@ -58,15 +59,16 @@ impl Clash {
     }
 }
 
-/// All clashes of arcs between these places, sorted, each once. Of two arcs that end at the same place, one that touches a third is enough.
+/// Returns all clashes of arcs between these places, sorted and without duplicates. If several arcs end at the same place and touch a third arc
+/// there, only one clash is reported.
 ///
-/// O(n log n + p log p) for n arcs, and p pairs of which the boxes in space meet: of short arcs, those that lie side by side.
+/// O(n log n + p log p) for n arcs, and p pairs whose boxes in space meet: for short arcs, these lie side by side.
 #[must_use]
 pub fn clashes(places: &[Place], arcs: &[[u32; 2]]) -> Vec<Clash> {
     clashes_of(places, arcs, 0)
 }
 
-/// The clashes of the arcs from a number on, among themselves and with those before, which have none among themselves.
+/// Returns the clashes of the arcs from `first` on, among themselves and with earlier arcs, which have no clashes among themselves.
 pub(crate) fn clashes_of(places: &[Place], arcs: &[[u32; 2]], first: usize) -> Vec<Clash> {
     let boxes: Vec<_> = (0..).zip(arcs).map(|(arc, ends)| boxed(arc, ends.map(|end| places[end as usize]))).collect();
     let queries: Vec<_> = boxes[first..].to_vec();
@@ -77,7 +79,7 @@ pub(crate) fn clashes_of(places: &[Place], arcs: &[[u32; 2]], first: usize) -> V
         let window = AABB::from_corners(query.geom().lower(), query.geom().upper());
         for other in tree.locate_in_envelope_intersecting(window) {
             let other = other.data;
-            // Of two that are asked about, the smaller one asks.
+            // If both arcs of a pair are new, only the smaller number searches.
             if one < other || (other as usize) < first {
                 found.extend(classify(places, arcs, [one.min(other), one.max(other)]));
             }
@@ -90,7 +92,8 @@ pub(crate) fn clashes_of(places: &[Place], arcs: &[[u32; 2]], first: usize) -> V
 
 pub(crate) type Boxed = GeomWithData<Rectangle<[f64; 3]>, u32>;
 
-/// A box around an arc, with its number. It reaches as far beyond that of the chord as the middle of the arc is from the middle of the chord, and rounding.
+/// Returns a box around an arc, with its number. It extends beyond the chord's box by the distance between the middles of arc and chord, plus
+/// rounding.
 pub(crate) fn boxed(arc: u32, ends: [Place; 2]) -> Boxed {
     const ROUNDING: f64 = 1e-14;
     let [a, b] = ends.map(Place::unit);
@@ -120,13 +123,13 @@ fn classify(places: &[Place], arcs: &[[u32; 2]], pair: [u32; 2]) -> Option<Clash
     })
 }
 
-/// The place where two arcs cross, rounded: it is off by some 1e-16 radians, divided by the sine of the angle at which they cross.
+/// Returns the rounded place where two arcs cross. The error is about 1e-16 radians, divided by the sine of the angle at which they cross.
 pub(crate) fn crossing(first: [Place; 2], second: [Place; 2]) -> Place {
     let [[a, b], [c, d]] = [first.map(Place::unit), second.map(Place::unit)];
     let across = cross(c, minus(d, c));
-    // The distances of the ends from the circle of the other arc. Differences first, since arcs are short.
+    // The distances of the ends from the other arc's circle. Subtract first, because arcs are short.
     let beyond = |p: [f64; 3]| dot(across, minus(p, c)).abs();
     let (at_a, at_b) = (beyond(a), beyond(b));
-    // Both are 0 only if there is no more than rounding between the arcs.
+    // Both are 0 only if the arcs differ by no more than rounding.
     Place::toward([0, 1, 2].map(|i| a[i] * at_b + b[i] * at_a)).unwrap_or(first[0])
 }

@@ -15,24 +15,25 @@ use twinedge_geometry::Point;
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Coverage {
-    /// In order of the rules; those of one rule by falling area.
+    /// The findings in order of the rules, and by decreasing area within a rule.
     pub findings: Vec<Finding>,
-    /// The gaps that are wider than the limit.
+    /// The number of gaps wider than the limit.
     pub wider_gaps: usize,
-    /// The gaps that were accepted by a place inside.
+    /// The number of gaps accepted by a place inside.
     pub accepted_gaps: usize,
-    /// The greatest width of a near miss that was asked for or chosen, in metres: a hundredth of the median length of arcs.
+    /// The given or chosen maximal width of a near miss in metres. The default is a hundredth of the median length of arcs.
     pub gap_width: f64,
-    /// The area of slivers that was asked for or chosen, in square metres.
+    /// The given or chosen area of slivers, in square metres.
     pub sliver_area: f64,
 }
 
-/// Finds what breaks C1 … C5 on the sphere. Limits are in metres and square metres, accepted places in degrees.
+/// Finds violations of C1 … C5 on the sphere. Limits are in metres and square metres, accepted places in degrees.
 ///
-/// Faces and features are as in the [plane](twinedge_coverage), but there is no outside: a place that no feature claims is a gap, unless it is larger than half of the
-/// sphere, which one place at most is.
+/// Faces and features are as in the [plane](twinedge_coverage), but there is no outside: a place that no feature claims is a gap, unless it is larger
+/// than half of the sphere, which is possible for one place at most.
 ///
-/// O(n log n + c log c) for n half-edges and faces, each counted once for each feature that covers it, and c pairs of arcs along unclaimed places that come as near as the width of near misses.
+/// O(n log n + c log c) for n half-edges and faces, each counted once for each feature that covers it, and c pairs of arcs along unclaimed places
+/// within the width of near misses.
 ///
 /// ```
 /// use twinedge_coverage::{CoverageRule, Limits};
@@ -70,23 +71,21 @@ pub fn check(cover: &Cover<'_>, limits: &Limits) -> Coverage {
     Coverage { findings, wider_gaps, accepted_gaps, gap_width, sliver_area }
 }
 
-/// The gaps, and the unclaimed faces that are none.
+/// The gaps, and the unclaimed faces that are not gaps.
 #[derive(Default)]
 struct Gaps {
     found: Vec<Finding>,
-    /// The number of those that are wider than asked for.
+    /// The number of gaps wider than the limit.
     wider: usize,
-    /// The number of those that were accepted by a place inside.
+    /// The number of gaps accepted by a place inside.
     accepted: usize,
-    /// The places in which near misses are looked for: for each of their faces one that it hangs together with.
+    /// The places to search for near misses: for each of their faces, the representative of its connected set.
     spaces: FxHashMap<u32, u32>,
 }
 
 struct Judge<'a> {
     cover: &'a Cover<'a>,
-    /// The darts around each face.
     darts: Vec<Vec<u32>>,
-    /// The faces of each feature, in order.
     faces: Vec<Vec<u32>>,
 }
 
@@ -110,7 +109,7 @@ impl<'a> Judge<'a> {
         Self { cover, darts, faces }
     }
 
-    /// For each feature the first one that covers the same faces.
+    /// Returns, for each feature, the first feature that covers the same faces.
     fn first_like(&self) -> Vec<u32> {
         let mut first: FxHashMap<&[u32], u32> = FxHashMap::default();
         let mut like = Vec::with_capacity(self.faces.len());
@@ -120,7 +119,7 @@ impl<'a> Judge<'a> {
         like
     }
 
-    /// The sets of faces that hang together across arcs between faces of the same class; faces without class belong to none.
+    /// Returns the sets of faces connected across arcs between faces of the same class. Faces without a class belong to no set.
     fn connected<C: PartialEq>(
         &self,
         faces: impl IntoIterator<Item = u32>,
@@ -166,7 +165,7 @@ impl<'a> Judge<'a> {
         regions.iter().map(finding).collect()
     }
 
-    /// The greatest width of near misses if none is given.
+    /// The default for the maximal width of near misses.
     fn chosen_width(&self) -> f64 {
         let map = self.cover.map;
         let length = |dart: u32| {
@@ -176,7 +175,7 @@ impl<'a> Judge<'a> {
         median((0..map.dart_count() as u32).step_by(2).map(length).collect()) / 100.0
     }
 
-    /// The gaps. Near misses are looked for in those that are wider than these are, unless all gaps are findings, and in the place that is no gap.
+    /// Finds the gaps. Near misses are searched for in wider gaps, unless all gaps are findings, and in the place that is not a gap.
     fn gaps(&self, limits: &Limits, near_miss_width: f64) -> Gaps {
         let places = limits.accepted_gaps.iter().filter_map(|at| Place::new(at.x, at.y).ok());
         let accepted: FxHashSet<u32> = places.map(|place| self.cover.map.locate(place)).collect();
@@ -191,7 +190,7 @@ impl<'a> Judge<'a> {
         gaps
     }
 
-    /// Takes a gap. Returns true if near misses are looked for in it.
+    /// Takes a gap. Returns true if it must be searched for near misses.
     fn take_gap(
         &self,
         gaps: &mut Gaps,
@@ -219,7 +218,7 @@ impl<'a> Judge<'a> {
         is_wide && (limits.gap_width.is_some() || !is_narrow || is_accepted)
     }
 
-    /// The slivers, and the area below which a thin part is one.
+    /// Returns the slivers, and the area below which a thin part is a sliver.
     fn slivers(&self, limits: &Limits) -> (Vec<Finding>, f64) {
         let mut parts = Vec::new();
         for (feature, own) in (0..).zip(&self.faces) {
@@ -250,12 +249,11 @@ impl<'a> Judge<'a> {
             .collect()
     }
 
-    /// On the sphere of radius 1.
+    /// The area on the unit sphere.
     fn area(&self, faces: &[u32]) -> f64 {
         faces.iter().map(|face| self.cover.areas[*face as usize]).sum()
     }
 
-    /// The darts around a set of faces, which is to their left.
     fn border(&self, faces: &[u32], inside: &FxHashSet<u32>) -> Vec<u32> {
         let around = faces.iter().flat_map(|face| self.darts[*face as usize].iter().copied());
         around.filter(|dart| !inside.contains(&self.cover.map.face(dart ^ 1))).collect()
@@ -288,7 +286,7 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// A place inside a face, if one of some is.
+    /// Returns a place inside a face, if one of several candidates is inside.
     fn inside(&self, face: u32) -> Point {
         const TRIED: usize = 32;
         let ring: Vec<Place> = self.darts[face as usize].iter().map(|dart| self.ends(*dart)[0]).collect();
@@ -305,7 +303,7 @@ impl<'a> Judge<'a> {
     }
 }
 
-/// The middle one of some numbers, 0 if there are none. O(n), expected.
+/// Returns the median of some numbers; 0 if there are none. O(n), expected.
 fn median(mut numbers: Vec<f64>) -> f64 {
     if numbers.is_empty() {
         return 0.0;

@@ -1,4 +1,4 @@
-//! Features with their edges as arcs between places.
+//! Features whose edges are arcs between places.
 
 use crate::place::{Place, PlaceError};
 use rustc_hash::FxHashMap;
@@ -7,9 +7,9 @@ use thiserror::Error;
 use twinedge_geometry::Point;
 use twinedge_map::{Feature, Shape};
 
-/// The features of a map with their edges as arcs of great circles: each place and each arc once, whoever shares it.
+/// The features of a map with arcs of great circles as edges. Features share places and arcs.
 ///
-/// Coordinates are longitudes and latitudes in degrees. A ring is closed if it is not. Points alone are left out.
+/// Coordinates are longitudes and latitudes in degrees. Open rings are closed. Points alone are left out.
 ///
 /// ```
 /// use twinedge_map::{Feature, Shape};
@@ -27,7 +27,7 @@ use twinedge_map::{Feature, Shape};
 #[derive(Clone, Debug, Default)]
 pub struct Drawing {
     places: Vec<Place>,
-    /// As they first came.
+    /// The first coordinates given for each place.
     degrees: Vec<Point>,
     arcs: Vec<Arc>,
     polygons: Vec<Polygon>,
@@ -36,33 +36,32 @@ pub struct Drawing {
     repeated_arcs: usize,
 }
 
-/// An arc, and whose it is.
+/// An arc, and its features.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Arc {
-    /// Its ends.
+    /// The ends of the arc.
     pub ends: [u32; 2],
-    /// The features that have it, in order.
+    /// The features with this arc, in order.
     pub features: Vec<u32>,
-    /// The polygons on one side of it only, in order: those that have it an odd number of times.
+    /// The polygons on only one side of the arc, in order: their rings contain the arc an odd number of times.
     pub(crate) polygons: Vec<u32>,
 }
 
-/// A polygon.
 #[derive(Clone, Debug)]
 pub(crate) struct Polygon {
     pub(crate) feature: u32,
-    /// The places around each ring, the outer one first.
+    /// The places around each ring, the outer ring first.
     pub(crate) rings: Vec<Vec<u32>>,
 }
 
-/// An edge that is no arc: its ends are antipodes, between which no way is the shortest.
+/// An edge that is not an arc: its ends are antipodes, so there is no shortest path between them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Undrawn {
-    /// The feature that has it.
+    /// The feature with this edge.
     pub feature: u32,
-    /// Its ends, in degrees.
+    /// The ends of the edge, in degrees.
     pub ends: [Point; 2],
-    /// True if it belongs to a polygon, which is not closed without it.
+    /// True if the edge belongs to a polygon, which is not closed without it.
     pub of_polygon: bool,
 }
 
@@ -70,7 +69,7 @@ pub struct Undrawn {
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum DrawingError {
-    /// A point is no place on the sphere.
+    /// A point is not on the sphere.
     #[error("feature {feature}: {why}")]
     NoPlace {
         /// The feature, counted from 0.
@@ -83,11 +82,11 @@ pub enum DrawingError {
     TooMany,
 }
 
-/// More points may make more half-edges than 32 bits can number.
+/// Half-edge numbers have 32 bits, which more points may exceed.
 const MOST: usize = 1 << 30;
 
 impl Drawing {
-    /// The drawing of these features. O(n) for n points, expected.
+    /// Creates the drawing of these features. O(n) for n points, expected.
     ///
     /// # Errors
     /// [`DrawingError`].
@@ -101,40 +100,40 @@ impl Drawing {
         Ok(making.drawing)
     }
 
-    /// The places.
+    /// Returns the places.
     #[must_use]
     pub fn places(&self) -> &[Place] {
         &self.places
     }
 
-    /// The coordinates that a place had first, in degrees.
+    /// Returns the first coordinates given for a place, in degrees.
     ///
     /// # Panics
-    /// If there is no such place.
+    /// Panics if there is no such place.
     #[must_use]
     pub fn degrees(&self, place: u32) -> Point {
         self.degrees[place as usize]
     }
 
-    /// The arcs.
+    /// Returns the arcs.
     #[must_use]
     pub fn arcs(&self) -> &[Arc] {
         &self.arcs
     }
 
-    /// The edges that are no arcs.
+    /// Returns the edges that are not arcs.
     #[must_use]
     pub fn undrawn(&self) -> &[Undrawn] {
         &self.undrawn
     }
 
-    /// The number of points that are the same place as the one before.
+    /// Returns the number of points at the same place as their predecessor.
     #[must_use]
     pub const fn repeated_points(&self) -> usize {
         self.repeated_points
     }
 
-    /// The number of edges that are an arc that there was before.
+    /// Returns the number of edges whose arc was already there.
     #[must_use]
     pub const fn repeated_arcs(&self) -> usize {
         self.repeated_arcs
@@ -145,7 +144,6 @@ impl Drawing {
     }
 }
 
-/// A drawing that grows.
 #[derive(Default)]
 struct Making {
     drawing: Drawing,
@@ -181,7 +179,7 @@ impl Making {
         Ok(())
     }
 
-    /// The places along a chain, none twice in a row.
+    /// Returns the places along a chain, without consecutive duplicates.
     fn chain(&mut self, feature: usize, points: &[Point]) -> Result<Vec<u32>, DrawingError> {
         let mut chain = Vec::with_capacity(points.len());
         for point in points {
@@ -240,12 +238,11 @@ impl Making {
     }
 }
 
-/// The same two numbers in order.
 pub(crate) fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
     [a.min(b), a.max(b)]
 }
 
-/// Adds a number to a sorted set, or takes it out if it is there.
+/// Adds a number to a sorted set, or removes it if present.
 pub(crate) fn toggle(set: &mut Vec<u32>, number: u32) {
     match set.binary_search(&number) {
         Ok(place) => {

@@ -1,9 +1,9 @@
-//! One thing that breaks a rule of a coverage.
+//! Findings of the rules of a coverage.
 
 use twinedge_coverage::CoverageRule;
 use twinedge_geometry::Point;
 
-/// One thing that breaks a rule of a coverage. Lengths are in metres, areas in square metres.
+/// A violation of a rule of a coverage. Lengths are in metres, areas in square metres.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finding {
     /// The rule.
@@ -12,15 +12,15 @@ pub struct Finding {
     pub features: Vec<u32>,
     /// The area.
     pub area: f64,
-    /// Twice the area by the length.
+    /// Twice the area, divided by the length.
     pub width: f64,
-    /// The length all around.
+    /// The length of the border.
     pub length: f64,
-    /// A place inside, in degrees; on the border, if none was found with little effort.
+    /// A place inside, in degrees; on the border, if no inner place was easy to find.
     pub at: Point,
-    /// The arcs all around, in degrees: the finding is to the left. Of a mismatch, the arcs that lack a vertex.
+    /// The arcs of the border, in degrees, with the finding to the left. For a mismatch, the arcs that lack a vertex.
     pub border: Vec<[Point; 2]>,
-    /// The missing vertices of a mismatch, in order of their coordinates; none for the other rules.
+    /// The missing vertices of a mismatch, in order of their coordinates; empty for the other rules.
     pub missing: Vec<MissingVertex>,
 }
 

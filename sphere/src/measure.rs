@@ -1,4 +1,4 @@
-//! Lengths and areas on a sphere as large as the earth, in metres. They are measured in doubles, not decided exactly.
+//! Lengths and areas on a sphere of the earth's size, in metres. They are measured in doubles, not decided exactly.
 
 use crate::place::Place;
 use crate::predicates::side;
@@ -11,10 +11,10 @@ use twinedge_geometry::predicates::Orientation;
 /// length on the ellipsoid differs by up to 0.6 %, and an area by up to 0.7 %.
 pub const RADIUS: f64 = 6_371_008.771_4;
 
-/// The area of the sphere of radius 1.
+/// The area of the unit sphere.
 pub(crate) const WHOLE: f64 = 4.0 * PI;
 
-/// The length of the arc between two places in metres. O(1).
+/// Returns the length of the arc between two places, in metres. O(1).
 ///
 /// ```
 /// use twinedge_sphere::{Place, RADIUS, distance};
@@ -26,22 +26,22 @@ pub(crate) const WHOLE: f64 = 4.0 * PI;
 #[must_use]
 pub fn distance(a: Place, b: Place) -> f64 {
     let [a, b] = [a, b].map(Place::unit);
-    // The difference first: arcs are short.
+    // Subtract first: arcs are short.
     RADIUS * libm::atan2(length(cross(a, minus(b, a))), dot(a, b))
 }
 
-/// The signed area of a triangle on the sphere of radius 1, positive if it is counter-clockwise: twice the angle of this vector.
+/// A vector at half the angle of a triangle's signed area on the unit sphere; the area is positive if the triangle is counter-clockwise.
 fn triangle(a: Vector, [b, c]: [Vector; 2]) -> [f64; 2] {
     let det = dot(a, cross(minus(b, a), minus(c, a)));
     [1.0 + dot(a, b) + dot(b, c) + dot(c, a), det]
 }
 
-/// The area to the left of a ring on the sphere of radius 1, up to multiples of 4π.
+/// Returns the area to the left of a ring on the unit sphere, up to multiples of 4π.
 pub(crate) fn signed_area(ring: &[Place]) -> f64 {
     let units: Vec<Vector> = ring.iter().map(|place| place.unit()).collect();
     let Some(first) = units.first() else { return 0.0 };
     let arcs = || units.iter().zip(units.iter().cycle().skip(1)).map(|(a, b)| [*a, *b]);
-    // Triangles with a corner opposite to the other ones have no area that is known well.
+    // A triangle with opposite corners has no well-defined area.
     let apex = if units.iter().all(|unit| dot(*first, *unit) > 0.0) {
         *first
     } else {
@@ -59,7 +59,7 @@ pub(crate) fn signed_area(ring: &[Place]) -> f64 {
     arcs().map(area).sum()
 }
 
-/// Directions in all parts of the sphere, in which no place lies that anybody chose.
+/// Directions in all parts of the sphere, chosen so that no input lies there.
 const CORNERS: [Vector; 8] = [
     [0.61, 0.53, 0.59],
     [-0.57, 0.63, 0.53],
@@ -71,11 +71,11 @@ const CORNERS: [Vector; 8] = [
     [-0.59, -0.53, -0.61],
 ];
 
-/// The area to the left of a cycle, as a part that is precise and whole spheres beside it: nothing is lost of a small one.
+/// Returns the area to the left of a cycle, as a precise part and a number of whole spheres, so that small areas lose no digits.
 fn left_of(map: &Subdivision, cycle: &[u32]) -> (f64, f64) {
     let ring: Vec<Place> = cycle.iter().map(|dart| map.place(map.origin(*dart))).collect();
     let area = signed_area(&ring);
-    // By the angles, which tell nothing from everything.
+    // By the angles, which distinguish an empty area from the whole sphere.
     let angles: f64 = (0..cycle.len())
         .map(|i| {
             let before = cycle[(i + cycle.len() - 1) % cycle.len()];
@@ -86,7 +86,7 @@ fn left_of(map: &Subdivision, cycle: &[u32]) -> (f64, f64) {
     (area, ((rough - area) / WHOLE).round())
 }
 
-/// The angle to the left, where a cycle goes from one dart on to the next: from 0 to 2π.
+/// Returns the angle to the left, from 0 to 2π, where a cycle continues from one dart to the next.
 fn angle(map: &Subdivision, dart: u32, next: u32) -> f64 {
     if dart ^ 1 == next {
         return TAU;
@@ -95,7 +95,7 @@ fn angle(map: &Subdivision, dart: u32, next: u32) -> f64 {
     let [b, v, o] = [back, at, out].map(Place::unit);
     let (b, o) = (minus(b, v), minus(o, v));
     let turn = libm::atan2(dot(v, cross(o, b)), dot(b, o) - dot(b, v) * dot(o, v));
-    // The side is exact, where rounding could make half a turn of none.
+    // The side is exact; rounding could mistake no turn for half a turn.
     match side(at, out, back) {
         Orientation::CounterClockwise => turn.abs(),
         Orientation::Collinear => PI,
@@ -103,7 +103,7 @@ fn angle(map: &Subdivision, dart: u32, next: u32) -> f64 {
     }
 }
 
-/// The area of each face on the sphere of radius 1. O(n) for n half-edges.
+/// Returns the area of each face on the unit sphere. O(n) for n half-edges.
 pub(crate) fn areas(map: &Subdivision) -> Vec<f64> {
     let mut sums = vec![(0.0, 0.0, 0.0); map.face_count()];
     for cycle in map.cycles() {
@@ -113,6 +113,6 @@ pub(crate) fn areas(map: &Subdivision) -> Vec<f64> {
         *whole += spheres;
         *count += 1.0;
     }
-    // All that lies beyond each cycle is taken from the whole sphere.
+    // Subtract the areas beyond the cycles from the whole sphere.
     sums.into_iter().map(|(sum, whole, count)| sum + WHOLE * (whole - (count - 1.0))).collect()
 }

@@ -11,8 +11,8 @@ use std::collections::BTreeMap;
 use twinedge_coverage::CoverageRule;
 use twinedge_geometry::Point;
 
-/// Finds what breaks C7: for each two features whose borders lack vertices of each other, a finding with all of these. Those with the most missing vertices come first.
-/// A vertex around which the two features overlap is left out: their overlap is a finding of C1.
+/// Finds violations of C7: for each two features whose borders lack vertices of each other, a finding with all of these vertices. Findings with the
+/// most missing vertices come first. A vertex around which the two features overlap is left out, because the overlap is a finding of C1.
 ///
 /// O(n + k log k) for n half-edges and k clashes, expected.
 ///
@@ -65,7 +65,7 @@ pub fn mismatches(cover: &Cover<'_>, drawing: &Drawing, clashes: &[Clash]) -> Ve
     found
 }
 
-/// The places inside arcs at which others end.
+/// Returns the places inside arcs at which other arcs end.
 fn contacts(drawing: &Drawing, clashes: &[Clash]) -> Vec<(u32, u32)> {
     let mut contacts = Vec::new();
     for clash in clashes {
@@ -88,7 +88,7 @@ fn contacts(drawing: &Drawing, clashes: &[Clash]) -> Vec<(u32, u32)> {
     contacts
 }
 
-/// The features of each face around some places.
+/// Returns the features of each face around some places.
 fn features_around<'a>(
     cover: &'a Cover<'_>,
     drawing: &Drawing,
@@ -105,7 +105,7 @@ fn features_around<'a>(
     around
 }
 
-/// The finding that the missing vertices of two features are.
+/// Creates the finding for the missing vertices of two features.
 fn finding(drawing: &Drawing, pair: [u32; 2], all: &[(u32, u32, u32)]) -> Finding {
     let mut missing: Vec<MissingVertex> = all
         .iter()

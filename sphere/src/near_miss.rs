@@ -1,8 +1,9 @@
 //! C3 near miss: borders of two features coincide or are farther apart than a given width.
 //!
-//! As in the [plane](twinedge_coverage): two borders that face each other across a place that no feature claims, in opposite directions, each with the other to
-//! its left, are a near miss if both have a stretch that is longer than the width, or several that together are four times as long and do not part steadily. All of it is measured in doubles, between
-//! chords in space, along the sphere: arcs that are so near to each other bulge alike.
+//! As in the [plane](twinedge_coverage), two borders face each other across an unclaimed place, run in opposite directions and have each other to
+//! their left. They are a near miss if both have a stretch longer than the width, or several stretches that together are four times as long as the
+//! width and do not diverge steadily. Everything is measured in doubles, between chords in space, along the sphere: such close arcs have the same
+//! curvature.
 
 use crate::claims::Cover;
 use crate::clash::boxed;
@@ -16,23 +17,23 @@ use std::collections::BTreeMap;
 use twinedge_coverage::CoverageRule;
 use twinedge_geometry::Point;
 
-/// The least length of a near miss of short stretches, as a multiple of the given width.
+/// The minimal total length of short stretches, as a multiple of the width.
 const LEAST: f64 = 4.0;
 
-/// A part of a side that lies opposite another side, and the distances at its ends. Lengths are on the sphere of radius 1.
+/// A part of a side opposite another side, and the distances at its ends. Lengths are on the unit sphere.
 #[derive(Clone, Copy)]
 struct Stretch {
     from: f64,
     to: f64,
     widths: [f64; 2],
-    /// True if it is longer than the width, on both sides.
+    /// True if the part is longer than the width, on both sides.
     is_long: bool,
     other: u32,
 }
 
-/// The near misses up to a width in metres. `spaces` has the space of each unclaimed face in which they are looked for.
+/// Returns the near misses up to a width in metres. `spaces` has the space of each unclaimed face to search.
 ///
-/// O(n log n + c log c) for c pairs of arcs whose boxes come as near as the width.
+/// O(n log n + c log c) for c pairs of arcs whose boxes are within the width.
 pub(crate) fn near_misses(cover: &Cover<'_>, spaces: &FxHashMap<u32, u32>, width: f64) -> Vec<Finding> {
     let map = cover.map;
     let width = width / RADIUS;
@@ -40,7 +41,7 @@ pub(crate) fn near_misses(cover: &Cover<'_>, spaces: &FxHashMap<u32, u32>, width
     let is_side = |dart: &u32| spaces.contains_key(&map.face(*dart)) && !sides.features(*dart).is_empty();
     let all: Vec<u32> = (0..map.dart_count() as u32).filter(is_side).collect();
     let tree = RTree::bulk_load(all.iter().map(|side| boxed(*side, sides.places(*side))).collect());
-    // By the two features, then by side.
+    // By pair of features, then by side.
     let mut pairs: BTreeMap<[u32; 2], BTreeMap<u32, Vec<Stretch>>> = BTreeMap::new();
     for side in all {
         let (ends, features, space) = (sides.ends(side), sides.features(side), spaces.get(&map.face(side)));
@@ -70,7 +71,7 @@ pub(crate) fn near_misses(cover: &Cover<'_>, spaces: &FxHashMap<u32, u32>, width
     found
 }
 
-/// The darts along borders, with a space to the left.
+/// The darts along borders with a space to their left.
 struct Sides<'a> {
     cover: &'a Cover<'a>,
 }
@@ -84,13 +85,12 @@ impl Sides<'_> {
         self.places(side).map(Place::unit)
     }
 
-    /// The features on the other side.
     fn features(&self, side: u32) -> &[u32] {
         &self.cover.features[self.cover.map.face(side ^ 1) as usize]
     }
 }
 
-/// The sides that belong together: they face or follow each other. Each set is sorted.
+/// Returns the sets of sides that face or follow each other; each set is sorted.
 fn clusters(near: &BTreeMap<u32, Vec<Stretch>>, sides: &Sides<'_>) -> Vec<Vec<u32>> {
     let before: FxHashMap<u32, u32> = near.keys().map(|side| (sides.cover.map.next(*side), *side)).collect();
     let mut seen = FxHashSet::default();
@@ -116,7 +116,7 @@ fn clusters(near: &BTreeMap<u32, Vec<Stretch>>, sides: &Sides<'_>) -> Vec<Vec<u3
     clusters
 }
 
-/// A part of a side, and how far the other side is at both of its ends.
+/// A part of a side, with the distance to the other side at both ends.
 struct Piece {
     ends: [Vector; 2],
     length: f64,
@@ -144,14 +144,14 @@ fn near_miss(
     let sum = |pieces: &[Piece], of: fn(&Piece) -> f64| pieces.iter().map(of).sum::<f64>();
     let is_long = cluster.iter().flat_map(|side| &near[side]).any(|stretch| stretch.is_long);
     let total = sum(&pieces, |piece| piece.length);
-    // Each border is counted by itself.
+    // Each border is counted separately.
     if !is_long && (total < 2.0 * LEAST * width || parts(&pieces, width)) {
         return None;
     }
     let degrees = |at: Vector| Place::toward(at).map(|place| Point::from(place.degrees())).unwrap_or_default();
     let border = pieces.iter().map(|piece| piece.ends.map(degrees)).collect();
     narrow(&mut pieces);
-    // Each border was measured by itself, and so was the space, once from each of them.
+    // Each border was measured separately, and the space once from each border.
     let (length, area) = (sum(&pieces, |piece| piece.length), sum(&pieces, |piece| piece.length * piece.width()) / 2.0);
     let longest = pieces.iter().max_by(|a, b| a.length.total_cmp(&b.length))?;
     Some(Finding {
@@ -166,7 +166,7 @@ fn near_miss(
     })
 }
 
-/// The union of the stretches of a side, in order, each place once.
+/// Returns the union of a side's stretches, in order and without overlaps.
 fn pieces(stretches: &[Stretch], [a, b]: [Vector; 2]) -> Vec<Piece> {
     let mut sorted = stretches.to_vec();
     sorted.sort_by(|p, q| {
@@ -186,13 +186,13 @@ fn pieces(stretches: &[Stretch], [a, b]: [Vector; 2]) -> Vec<Piece> {
     pieces
 }
 
-/// Returns true if borders move apart steadily: they are about as long within half the width as beyond it, as those of a wedge are.
+/// Returns true if borders diverge steadily, as in a wedge: they are about as long within half the width as beyond it.
 fn parts(pieces: &[Piece], width: f64) -> bool {
     let near: f64 = pieces.iter().filter(|piece| piece.width() <= width / 2.0).map(|piece| piece.length).sum();
     (0.25..0.75).contains(&(near / pieces.iter().map(|piece| piece.length).sum::<f64>()))
 }
 
-/// Keeps the narrow pieces: up to the greatest width at which they make up a strip at least half as slender as the most slender one.
+/// Keeps the narrow pieces, up to the greatest width at which the strip is at least half as slender as the most slender strip.
 fn narrow(pieces: &mut Vec<Piece>) {
     pieces.sort_by(|a, b| a.greatest().total_cmp(&b.greatest()).then(a.length.total_cmp(&b.length)));
     let mut length = 0.0;
@@ -208,14 +208,14 @@ fn narrow(pieces: &mut Vec<Piece>) {
     pieces.truncate(last + 1);
 }
 
-/// The stretch of a chord opposite another one that faces it: both run in opposite directions, and each has the other to its left there, at most
-/// a width away at both ends. O(1).
+/// Returns the stretch of a chord opposite another chord that faces it. The chords run in opposite directions with the other to the left, at most a
+/// width apart at both ends. O(1).
 fn facing([a, b]: [Vector; 2], [c, d]: [Vector; 2], width: f64) -> Option<Stretch> {
     let (from, to) = opposite([a, b], [d, c])?;
     let (back, forth) = opposite([d, c], [a, b])?;
     let (near, far) = ([along(a, b, from), along(a, b, to)], [along(d, c, back), along(d, c, forth)]);
     let up = along(near[0], near[1], 0.5);
-    // Without what is up or down: the longer of two chords lies deeper.
+    // Ignore the vertical difference: the longer of two chords lies deeper.
     let level = |p: Vector, q: Vector| {
         let across = minus(q, p);
         let height = dot(across, up) / dot(up, up);
@@ -229,8 +229,8 @@ fn facing([a, b]: [Vector; 2], [c, d]: [Vector; 2], width: f64) -> Option<Stretc
     (is_between && widths[0] <= width && widths[1] <= width).then_some(Stretch { from, to, widths, is_long, other: 0 })
 }
 
-/// From where to where, as parts of its length, a chord has another one at right angles beside it; none if they run in opposite
-/// directions.
+/// Returns the start and the end, as fractions of its length, of the part of a chord with the other chord at a right angle; `None` if the chords do
+/// not run in opposite directions.
 fn opposite([a, b]: [Vector; 2], [c, d]: [Vector; 2]) -> Option<(f64, f64)> {
     let u = minus(b, a);
     let part = |p: Vector| dot(minus(p, a), u) / dot(u, u);

@@ -1,10 +1,10 @@
 //! The faces in which components lie.
 //!
-//! From a place of each component a line goes along its meridian to the north pole, to the east of the meridian by less than anything: so it meets no
-//! vertex, and arcs along meridians do not matter. All other arcs have one latitude for each longitude that they span. Above the last arc of the component itself, the first of another one is that of the face in which it lies.
-//! If there is none, it lies in the face at the pole.
+//! From a place of each component a line follows its meridian to the north pole, infinitesimally to the east, so that it meets no vertex, and arcs
+//! along meridians do not matter. All other arcs have one latitude for each longitude that they span. The component lies in the face below the first
+//! foreign arc above its own last arc. If there is no such arc, it lies in the face at the pole.
 //!
-//! Of two such arcs that do not cross, one is above the other wherever both are. So they are compared at an end that both span, by [`side`]: exactly.
+//! If two such arcs do not cross, one is above the other wherever both exist. So [`side`] compares them exactly at an end that both span.
 
 use crate::noding::Network;
 use crate::place::Place;
@@ -13,32 +13,32 @@ use core::cmp::Ordering;
 use twinedge::dcel::{Corner, Placement};
 use twinedge_geometry::predicates::Orientation;
 
-/// The number of stripes of longitudes into which arcs are sorted is at most so large.
+/// The maximal number of stripes of longitudes into which arcs are sorted.
 const STRIPES: usize = 4096;
 
-/// An arc that does not lie along a meridian, from the west to the east.
+/// An arc that does not follow a meridian, from west to east.
 #[derive(Clone, Copy, Debug)]
 struct Span {
     west: Place,
     east: Place,
-    /// The dart to the east, which has the north to its left.
+    /// The eastward dart, with the north to its left.
     dart: u32,
     component: u32,
 }
 
 impl Span {
-    /// Returns true if the meridian just to the east of that of a place goes through the arc. The place is no pole.
+    /// Returns true if the meridian immediately east of a place crosses the arc. The place must not be a pole.
     fn is_over(&self, p: Place) -> bool {
         let begins = on_one_meridian(self.west, p) || eastward(self.west, p).is_gt();
         begins && eastward(p, self.east).is_gt()
     }
 
-    /// Returns true if it lies to the north of a place that is not on it, and is over it.
+    /// Returns true if the span lies to the north of a place. The span must be over the place, and the place must not be on it.
     fn is_above(&self, place: Place) -> bool {
         above(side(self.west, self.east, place)).is_lt()
     }
 
-    /// Greater if this one lies to the north of another one, where both go through the same meridian; they do not cross.
+    /// Compares two spans that share a meridian and do not cross: the northern one is greater.
     fn compare(&self, other: &Self) -> Ordering {
         if other.is_over(self.west) {
             let at_west = above(side(other.west, other.east, self.west));
@@ -60,7 +60,7 @@ impl Span {
     }
 }
 
-/// Greater if a place is to the left of an arc to the east.
+/// Returns `Greater` if a place is to the left of an eastward arc.
 fn above(side: Orientation) -> Ordering {
     match side {
         Orientation::CounterClockwise => Ordering::Greater,
@@ -69,14 +69,14 @@ fn above(side: Orientation) -> Ordering {
     }
 }
 
-/// The component of each vertex, and how many there are.
+/// Returns the component of each vertex, and the number of components.
 fn components(vertices: usize, arcs: &[[u32; 2]]) -> (Vec<u32>, usize) {
     let mut parent: Vec<u32> = (0..vertices as u32).collect();
     for [a, b] in arcs {
         let (a, b) = (root(&mut parent, *a), root(&mut parent, *b));
         parent[a.max(b) as usize] = a.min(b);
     }
-    // Roots are smaller than what hangs on them.
+    // A root is smaller than its descendants.
     let (mut number, mut count) = (vec![0; vertices], 0);
     for v in 0..vertices as u32 {
         let root = root(&mut parent, v);
@@ -98,7 +98,7 @@ fn root(parent: &mut [u32], mut v: u32) -> u32 {
     v
 }
 
-/// The arcs over each longitude, by which it is found what is to the north of a place.
+/// The arcs over each longitude, for finding the first arc to the north of a place.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Sky {
     spans: Vec<Span>,
@@ -109,8 +109,8 @@ pub(crate) struct Sky {
     at_pole: Vec<(u32, Place)>,
 }
 
-/// The placements of all components but that of the north pole, if it is a vertex, and the means by which they were found. Arcs meet at common ends only,
-/// and none has the pole inside. Rotations are counter-clockwise.
+/// Returns the placements of all components except the north pole's, if it is a vertex, and the index used to find them. Arcs must meet only at
+/// common ends, and the pole must not be inside an arc. Rotations are counter-clockwise.
 ///
 /// O(n log n + k·s) for n arcs, k components, and s arcs in a stripe of longitudes.
 pub(crate) fn placements(network: &Network, rotations: &[Vec<u32>]) -> (Vec<Placement>, Sky) {
@@ -121,7 +121,7 @@ pub(crate) fn placements(network: &Network, rotations: &[Vec<u32>]) -> (Vec<Plac
         pole.into_iter().flat_map(|pole| &rotations[pole]).map(|dart| (*dart, network.target(*dart))).collect();
     let mut sky = Sky::new(spans(places, arcs, &component), at_pole);
 
-    // A place of each component at the western end of an arc, if there is one; or else the one of its first arc that is no pole.
+    // For each component, a place at the western end of an arc if possible; otherwise a place of its first arc that is not a pole.
     let mut starts: Vec<Option<(Place, u32)>> = vec![None; count];
     for span in &sky.spans {
         starts[span.component as usize].get_or_insert((span.west, span.dart));
@@ -147,15 +147,16 @@ pub(crate) fn placements(network: &Network, rotations: &[Vec<u32>]) -> (Vec<Plac
 }
 
 impl Sky {
-    /// A dart with the face to its left in which a place lies, or just to the north-east of it; none for the face at the north pole, if that is no vertex.
+    /// Returns a dart with the face to its left that contains a place, or the point immediately north-east of it; `None` for the face at the north
+    /// pole, if the pole is not a vertex.
     ///
     /// O(s) for s arcs in a stripe of longitudes, and O(log n) if there is none to the north.
     pub(crate) fn dart_over(&self, place: Place) -> Option<u32> {
         self.lowest(place, |span| span.is_above(place))
     }
 
-    /// For a place of each component, the darts to the east of all arcs over its meridian, from the south to the north, and the dart at the pole, if that is a vertex. A component
-    /// that lies along a meridian has none.
+    /// For a place of each component, returns the eastward darts of all arcs over its meridian, from south to north, and the dart at the pole, if
+    /// that is a vertex. A component along a meridian is left out.
     pub(crate) fn columns(&self) -> impl Iterator<Item = (Vec<u32>, Option<u32>)> + '_ {
         self.starts.iter().map(|start| {
             let mut column: Vec<Span> = self.over(*start).collect();
@@ -164,7 +165,7 @@ impl Sky {
         })
     }
 
-    /// The dart below the lowest of the arcs that are asked for over a place, or the one at the pole.
+    /// Returns the dart below the lowest selected arc over a place, or the dart at the pole.
     fn lowest(&self, place: Place, is_asked: impl Fn(&Span) -> bool) -> Option<u32> {
         let lowest = self.over(place).filter(is_asked).min_by(Span::compare);
         let before = |(_, target): &(u32, Place)| compare_around(Place::NORTH, *target, place).is_le();
@@ -172,7 +173,7 @@ impl Sky {
         lowest.map(|span| span.dart ^ 1).or_else(at_pole)
     }
 
-    /// Stripes are of longitudes that are rounded: a span is in one more on either side.
+    /// The longitudes of stripes are rounded, so a span is also in the next stripe on either side.
     fn new(spans: Vec<Span>, at_pole: Vec<(u32, Place)>) -> Self {
         let count = (spans.len() / 16).clamp(4, STRIPES);
         let mut stripes = vec![Vec::new(); count];
@@ -186,7 +187,7 @@ impl Sky {
         Self { spans, stripes, starts: Vec::new(), at_pole }
     }
 
-    /// The spans over the meridian just to the east of that of a place.
+    /// Returns the spans over the meridian immediately east of a place.
     fn over(&self, place: Place) -> impl Iterator<Item = Span> + '_ {
         let of_stripe = self.stripes.get(stripe(place, self.stripes.len())).into_iter().flatten();
         of_stripe.map(|number| self.spans[*number as usize]).filter(move |span| span.is_over(place))
@@ -206,7 +207,7 @@ fn spans(places: &[Place], arcs: &[[u32; 2]], component: &[u32]) -> Vec<Span> {
     (0..).zip(arcs).filter_map(span).collect()
 }
 
-/// The stripe in which a longitude lies.
+/// Returns the stripe of a longitude.
 #[allow(clippy::cast_sign_loss, reason = "the longitude is at least -180")]
 fn stripe(p: Place, count: usize) -> usize {
     let part = (p.degrees()[0] + 180.0) / 360.0;

@@ -9,26 +9,26 @@ use rustc_hash::FxHashMap;
 use thiserror::Error;
 use twinedge_geometry::Point;
 
-/// The number of times that arcs are cut. A place where two arcs cross is rounded, so that the parts may cross others.
+/// The maximal number of rounds. The places where arcs cross are rounded, so the parts may cross other arcs.
 const ROUNDS: usize = 20;
 
-/// Arcs that meet at common ends only, and those of a drawing are made of.
+/// Arcs that meet only at common ends, and that make up the arcs of a drawing.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Network {
     pub(crate) places: Vec<Place>,
     pub(crate) degrees: Vec<Point>,
     pub(crate) arcs: Vec<[u32; 2]>,
-    /// The polygons on one side only of each arc.
+    /// The polygons on only one side of each arc.
     pub(crate) polygons: Vec<Vec<u32>>,
 }
 
-/// Arcs still crossed after they had been cut many times, as the places where they cross are rounded.
+/// The error that arcs still crossed after many rounds of cutting, because the places of crossings are rounded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[error("the places where edges cross are rounded, and edges that are cut there cross again and again")]
 pub struct Unresolved;
 
 impl Network {
-    /// The arcs of a drawing, cut where they meet, and at the north pole. What was found where they meet comes with them.
+    /// Cuts the arcs of a drawing where they meet and at the north pole. Also returns the clashes.
     pub(crate) fn new(drawing: &Drawing) -> (Vec<Clash>, Result<Self, Unresolved>) {
         let mut network = Self {
             places: drawing.places().to_vec(),
@@ -43,7 +43,7 @@ impl Network {
             let pole = network.number(Place::NORTH, &mut numbers);
             cuts.entry(arc).or_default().push(pole);
         }
-        // Borders that coincide but for roundings could be cut into ever more parts.
+        // Borders that coincide up to rounding could be cut into ever more parts.
         let most = 2 * drawing.arcs().len() + 4 * clashes.len();
         for _ in 0..ROUNDS {
             if cuts.is_empty() {
@@ -59,7 +59,7 @@ impl Network {
         (clashes, Err(Unresolved))
     }
 
-    /// Drops the places that are no ends of arcs.
+    /// Removes the places that are not ends of arcs.
     pub(crate) fn compact(mut self) -> Self {
         let mut number = vec![u32::MAX; self.places.len()];
         let mut kept = Self { polygons: self.polygons, ..Self::default() };
@@ -79,12 +79,12 @@ impl Network {
         self.places[place as usize]
     }
 
-    /// The place at the other end of a dart: each arc has two, the one that runs as the arc does first.
+    /// Returns the place at the other end of a dart. Each arc has two darts, first the one in its own direction.
     pub(crate) fn target(&self, dart: u32) -> Place {
         self.at(self.arcs[dart as usize / 2][1 - dart as usize % 2])
     }
 
-    /// The number of a place, which may be new.
+    /// Returns the number of a place, adding the place if it is new.
     fn number(&mut self, place: Place, numbers: &mut FxHashMap<[u64; 3], u32>) -> u32 {
         let next = self.places.len() as u32;
         let number = *numbers.entry(place.key()).or_insert(next);
@@ -95,7 +95,6 @@ impl Network {
         number
     }
 
-    /// The arcs with the north pole inside.
     fn over_the_pole(&self) -> Vec<u32> {
         let is_over = |ends: &[u32; 2]| {
             let [a, b] = ends.map(|end| self.at(end));
@@ -108,7 +107,6 @@ impl Network {
         (0..).zip(&self.arcs).filter(|(_, ends)| is_over(ends)).map(|(arc, _)| arc).collect()
     }
 
-    /// The places at which arcs are to be cut.
     fn cuts(&mut self, clashes: &[Clash], numbers: &mut FxHashMap<[u64; 3], u32>) -> FxHashMap<u32, Vec<u32>> {
         let mut cuts: FxHashMap<u32, Vec<u32>> = FxHashMap::default();
         for clash in clashes {
@@ -133,7 +131,7 @@ impl Network {
         cuts
     }
 
-    /// Cuts arcs at places. Returns the number of the first part; those before are as they were.
+    /// Cuts arcs at places. Returns the number of the first part; earlier arcs are unchanged.
     fn cut(&mut self, cuts: &FxHashMap<u32, Vec<u32>>) -> usize {
         let mut whole = Self { places: std::mem::take(&mut self.places), ..Self::default() };
         let mut parts = Vec::new();
@@ -171,7 +169,7 @@ impl Network {
     }
 }
 
-/// The ends of an arc and the places at which it is cut, in order, each once.
+/// Returns the ends of an arc and its cuts, in order, without duplicates.
 fn along(places: &[Place], [a, b]: [u32; 2], cuts: &[u32]) -> Vec<u32> {
     let [from, to] = [a, b].map(|end| places[end as usize].unit());
     let part = |place: u32| dot(minus(places[place as usize].unit(), from), minus(to, from));

@@ -2,13 +2,13 @@
 
 use thiserror::Error;
 
-/// The smallest magnitude of a coordinate other than zero: 2^-100. A smaller one is zero, which moves a place by less than 1e-23 m.
+/// The smallest magnitude of a nonzero coordinate: 2^-100. Smaller coordinates become zero, which moves a place by less than 1e-23 m.
 const LEAST: f64 = f64::from_bits((1023 - 100) << 52);
 
-/// A vector that is so many times as high as it is wide, 2^60, leads to a pole.
+/// The ratio of height to width, 2^60, from which a vector leads to a pole.
 const HIGHEST: f64 = f64::from_bits((1023 + 60) << 52);
 
-/// The latitude that is taken for that of a pole, as rounding may exceed it.
+/// The maximal latitude accepted as a pole, with a margin for rounding.
 const LATITUDE: f64 = 90.0 + 1e-6;
 
 /// A place on the sphere: the direction of a vector of three doubles, exactly.
@@ -19,12 +19,13 @@ const LATITUDE: f64 = 90.0 + 1e-6;
 /// - Places on one meridian, and on the one opposite, have the same first two coordinates up to the sign. So any two of them and the poles
 ///   lie *exactly* on one great circle.
 /// - Places on the equator have a third coordinate of 0, and lie exactly on one great circle.
-/// - The longitudes 180 and −180, and those that differ by multiples of 360, are the same place; so are all longitudes at a pole.
-/// - Two vectors are the same if and only if their directions are: the larger of the first two coordinates is 1 or −1, except at the poles.
-/// - A longitude and its opposite have opposite vectors; a turn by 90 degrees is an exchange of two coordinates and a sign.
+/// - The longitudes 180 and −180, and longitudes that differ by multiples of 360, are the same place; so are all longitudes at a pole.
+/// - Two vectors are equal if and only if their directions are: the larger of the first two coordinates is 1 or −1, except at the poles.
+/// - Opposite longitudes have vectors with opposite first two coordinates; a turn by 90 degrees exchanges two coordinates and changes a sign.
 ///
-/// The direction is within 2.5 nm (4e-16 radians) of the true one on a sphere as large as the earth (of 10,000 places at random, beside mpmath with 40 digits, none is off by
-/// more than 1.3 nm); a double next to 180 degrees is 3.2 nm from its neighbour. Nothing else is rounded: predicates are about these places.
+/// The direction is within 2.5 nm (4e-16 radians) of the true one on a sphere of the earth's size: of 10,000 random places, compared with mpmath with
+/// 40 digits, none is off by more than 1.3 nm. A double next to 180 degrees is 3.2 nm from its neighbour. Nothing else is rounded: predicates are
+/// about these places.
 ///
 /// ```
 /// use twinedge_sphere::Place;
@@ -56,8 +57,8 @@ impl Place {
     /// The pole at the latitude of −90 degrees.
     pub const SOUTH: Self = Self([0.0, 0.0, -1.0]);
 
-    /// The place with this longitude and latitude in degrees. A longitude may be any number. A latitude that exceeds 90 by at most 1e-6 is that of
-    /// the pole. O(1).
+    /// Creates the place with this longitude and latitude in degrees. Longitudes may be any number. A latitude that exceeds ±90 by at most 1e-6
+    /// counts as the pole. O(1).
     ///
     /// # Errors
     /// [`PlaceError`].
@@ -84,8 +85,8 @@ impl Place {
         Ok(Self([x, y, height].map(flushed)))
     }
 
-    /// The place in the direction of a vector, up to rounding: its first two coordinates are divided by the larger of the two. None for a vector
-    /// without direction, or that is not finite. O(1).
+    /// Returns the place in the direction of a vector, up to rounding: its first two coordinates are divided by the larger of the two. Returns `None`
+    /// for the zero vector and for vectors that are not finite. O(1).
     ///
     /// ```
     /// use twinedge_sphere::Place;
@@ -106,26 +107,26 @@ impl Place {
         Some(Self([x / wide, y / wide, z / wide].map(flushed)))
     }
 
-    /// The vector: the larger magnitude of the first two coordinates is 1, and that of the third is below 2^61; at a pole it is (0, 0, ±1). No coordinate
-    /// but zero is smaller than 2^-100.
+    /// Returns the vector. The larger magnitude of its first two coordinates is 1, and the magnitude of the third is below 2^61; at a pole the vector
+    /// is (0, 0, ±1). Nonzero coordinates are at least 2^-100.
     #[must_use]
     pub const fn vector(self) -> [f64; 3] {
         self.0
     }
 
-    /// A place as near to the south pole as there is one.
+    /// The place nearest to the south pole.
     pub(crate) const fn beside_south() -> Self {
         Self([1.0, 0.0, -HIGHEST])
     }
 
-    /// The vector of length 1, up to rounding.
+    /// The unit vector, up to rounding.
     pub(crate) fn unit(self) -> [f64; 3] {
         let [x, y, z] = self.0;
         let length = libm::sqrt(x * x + y * y + z * z);
         self.0.map(|coordinate| coordinate / length)
     }
 
-    /// The place on the other side of the sphere.
+    /// Returns the place on the opposite side of the sphere.
     #[must_use]
     pub fn antipode(self) -> Self {
         Self(self.0.map(|coordinate| 0.0 - coordinate))
@@ -137,14 +138,13 @@ impl Place {
         self.0[0] == 0.0 && self.0[1] == 0.0
     }
 
-    /// Longitude from −180 to 180 and latitude in degrees, up to rounding; 0 is the longitude of a pole.
+    /// Returns the longitude from −180 to 180 and the latitude in degrees, up to rounding. The longitude of a pole is 0.
     #[must_use]
     pub fn degrees(self) -> [f64; 2] {
         let [x, y, z] = self.0;
         [libm::atan2(y, x).to_degrees(), libm::atan2(z, libm::hypot(x, y)).to_degrees()]
     }
 
-    /// A key for hash tables.
     pub(crate) fn key(self) -> [u64; 3] {
         self.0.map(f64::to_bits)
     }
@@ -162,7 +162,7 @@ fn tangent_of_degrees(degrees: f64) -> f64 {
     tangent.copysign(degrees)
 }
 
-/// A coordinate in the range in which predicates are exact. Zero has no sign.
+/// Rounds small coordinates to zero without a sign, so that predicates are exact.
 fn flushed(coordinate: f64) -> f64 {
     if coordinate.abs() < LEAST { 0.0 } else { coordinate }
 }

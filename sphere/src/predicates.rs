@@ -1,13 +1,14 @@
 //! Exact predicates of places and arcs on the sphere.
 //!
-//! An arc is the shorter part of the great circle through its two ends, which are neither the same place nor antipodes. Every function
-//! here decides by signs of determinants of three vectors, which [`robust::orient3d`] tells exactly: coordinates are zero or of magnitude from 2^-100 to
-//! 2^61, so all are multiples of 2^-152, and no product of three overflows or underflows. Two answers cannot contradict each other: they are true of the same
-//! vectors.
+//! An arc is the shorter part of the great circle through its two ends, which are neither the same place nor antipodes. Every function here decides
+//! by signs of determinants of three vectors, which [`robust::orient3d`] computes exactly: coordinates are zero or of magnitude from 2^-100 to 2^61,
+//! so all are multiples of 2^-152, and no product of three overflows or underflows. Answers cannot contradict each other, because they are all true
+//! of the same vectors.
 //!
-//! Along a great circle it is not the determinant of three of its places that tells their order, as that is 0, but those with a coordinate axis that does not lie on the circle.
+//! The determinant of three places on one great circle is 0, so their order is determined with a coordinate axis that does not lie on the circle.
 //!
-//! Source of the conditions: J. R. Shewchuk (see [`twinedge_geometry::predicates`]); the axis is the trick of orders on a line seen from a point beside it.
+//! Source of the conditions: J. R. Shewchuk (see [`twinedge_geometry::predicates`]); the axis corresponds to the usual trick for order on a line,
+//! seen from a point off it.
 
 use crate::place::Place;
 use core::cmp::Ordering;
@@ -27,8 +28,8 @@ fn turn(a: Place, b: Place, c: [f64; 3]) -> Ordering {
     sign(a.vector(), b.vector(), c)
 }
 
-/// On which side of the great circle from `a` to `b` the place `c` lies: counter-clockwise is to the left, seen from outside, and collinear on it. Collinear
-/// whatever `c` is, if `a` and `b` are the same place or antipodes. O(1).
+/// Returns the side of the great circle from `a` to `b` on which the place `c` lies: counter-clockwise is to the left, seen from outside, and
+/// collinear is on the circle. If `a` and `b` are the same place or antipodes, every `c` is collinear. O(1).
 ///
 /// ```
 /// use twinedge_geometry::predicates::Orientation;
@@ -52,7 +53,7 @@ pub fn side(a: Place, b: Place, c: Place) -> Orientation {
     }
 }
 
-/// A coordinate axis beside the great circle through two places, and on which side it is; none, if there is no such circle.
+/// Returns a coordinate axis off the great circle through two places, and its side; `None` if there is no such circle.
 fn axis_beside(a: Place, b: Place) -> Option<([f64; 3], Ordering)> {
     AXES.into_iter().map(|axis| (axis, turn(a, b, axis))).find(|(_, side)| side.is_ne())
 }
@@ -63,12 +64,12 @@ pub fn on_arc(p: Place, a: Place, b: Place) -> bool {
     p == a || p == b || turn(a, b, p.vector()).is_eq() && is_between(p, a, b)
 }
 
-/// Returns true if `p`, which lies on the great circle through `a` and `b`, lies inside the arc between them.
+/// Returns true if `p`, on the great circle through `a` and `b`, lies inside the arc between them.
 fn is_between(p: Place, a: Place, b: Place) -> bool {
     axis_beside(a, b).is_some_and(|(axis, side)| turn(a, p, axis) == side && turn(p, b, axis) == side)
 }
 
-/// Classifies the meeting of the closed arcs `a b` and `c d`, in the words of the plane. O(1).
+/// Classifies the meeting of the closed arcs `a b` and `c d`, with the terms of the plane. O(1).
 ///
 /// ```
 /// use twinedge_geometry::predicates::{Endpoint, Meeting};
@@ -94,7 +95,7 @@ pub fn meeting(a: Place, b: Place, c: Place, d: Place) -> Meeting {
     if at_a == at_b {
         return Meeting::Disjoint;
     }
-    // Two different circles meet in two antipodes, of which an arc has one at most.
+    // Two different circles meet in two antipodes; an arc contains at most one of them.
     let ends = [
         (at_a, Endpoint::A, a, [c, d]),
         (at_b, Endpoint::B, b, [c, d]),
@@ -114,7 +115,7 @@ pub fn meeting(a: Place, b: Place, c: Place, d: Place) -> Meeting {
             return Meeting::Touch(end);
         }
     }
-    // Each arc passes through the circle of the other one. It does so on the same side of the sphere, if they turn the same way.
+    // Each arc passes through the other's circle, on the same side of the sphere if they turn the same way.
     if !is_on_circle && at_a == at_d { Meeting::Cross } else { Meeting::Disjoint }
 }
 
@@ -134,15 +135,16 @@ fn meeting_on_a_circle(a: Place, b: Place, c: Place, d: Place) -> Meeting {
     }
 }
 
-/// Compares the directions from `center` to `a` and to `b`, counter-clockwise as seen from outside: from the north on, or at a pole from the meridian of
-/// longitude 0 on. Equal means the same direction, at whatever distance. Neither may be `center` or its antipode, which come before all. O(1).
+/// Compares the directions from `center` to `a` and to `b`, counter-clockwise as seen from outside, starting at the north, or at a pole at the
+/// meridian of longitude 0. Equal means the same direction at any distance. Neither may be `center` or its antipode, which come before all. O(1).
 #[must_use]
 pub fn compare_around(center: Place, a: Place, b: Place) -> Ordering {
     let part = |p: Place| part_of_turn(center, p);
     part(a).cmp(&part(b)).then_with(|| turn(center, a, b.vector()).reverse())
 }
 
-/// The part of a turn around `center` in which the direction to `p` lies: 1 if it is the first direction, 2 up to half a turn from there, 3 at half a turn, 4 beyond.
+/// Returns the part of a turn around `center` with the direction to `p`: 1 for the first direction, 2 up to half a turn from there, 3 at half a turn,
+/// 4 beyond.
 fn part_of_turn(center: Place, p: Place) -> u8 {
     let first = if center.is_pole() { AXES[1] } else { AXES[0] };
     match sign(center.vector(), first, p.vector()) {
@@ -156,8 +158,8 @@ fn part_of_turn(center: Place, p: Place) -> u8 {
     }
 }
 
-/// Compares longitudes: greater if the meridian of `b` lies to the east of that of `a`, by less than half a turn; equal on one meridian, or on the opposite one. Neither is a
-/// pole.
+/// Compares longitudes: greater if the meridian of `b` lies to the east of the meridian of `a` by less than half a turn; equal on one meridian or on
+/// opposite ones. Neither place may be a pole.
 pub(crate) fn eastward(a: Place, b: Place) -> Ordering {
     let coord = |p: Place| Coord { x: p.vector()[0], y: p.vector()[1] };
     let det = robust::orient2d(coord(a), coord(b), Coord { x: 0.0, y: 0.0 });

@@ -1,4 +1,4 @@
-//! The half-edge structure of arcs that meet at common ends only.
+//! The half-edge structure of arcs that meet only at common ends.
 
 use crate::clash::Clash;
 use crate::drawing::Drawing;
@@ -12,24 +12,25 @@ use twinedge_geometry::Point;
 
 /// The map that arcs draw on the sphere.
 ///
-/// The structure is one of the plane: as a sphere has no outside, the face at the north pole, or if the pole is a vertex one of those around it, takes the place of the unbounded one. Everything that is
-/// true of subdivisions of the plane is true of it, so that [`validate`](twinedge::validate::validate) checks it as such, with the nesting of its components.
+/// The structure is a planar subdivision. A sphere has no outside, so the unbounded face is the face at the north pole, or a face around the
+/// pole if the pole is a vertex. The rules of planar subdivisions hold, so [`validate`](twinedge::validate::validate) checks the structure with the
+/// nesting of its components.
 #[derive(Clone, Debug)]
 pub struct Subdivision {
     network: Network,
     dcel: Dcel,
-    /// By dart: two of each arc, the one that runs as the arc does first.
+    /// Two darts for each arc, first the one in the arc's direction.
     darts: Vec<Dart>,
-    /// The face that takes the place of the unbounded one.
+    /// The face that acts as the unbounded face.
     at_pole: u32,
     sky: Sky,
 }
 
-/// A half-edge, and what is known of it.
+/// A half-edge, with its face.
 #[derive(Clone, Copy, Debug, Default)]
 struct Dart {
     next: u32,
-    /// The number of the face to the left, from 0 without vacancies.
+    /// The number of the face to the left; faces are numbered from 0 without gaps.
     face: u32,
 }
 
@@ -37,21 +38,21 @@ struct Dart {
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum SubdivisionError {
-    /// Arcs could not be cut.
+    /// The arcs could not be cut.
     #[error(transparent)]
     Unresolved(#[from] Unresolved),
-    /// There are more records than fit.
+    /// There are too many records.
     #[error("the arcs do not make a map: {0}")]
     Dcel(#[from] RotationsError),
 }
 
 impl Subdivision {
-    /// The map that a drawing is, with its arcs cut where they meet, and where it had to be cut. Arcs that only have ends in common are as they were.
+    /// Creates the map of a drawing by cutting its arcs where they meet. Also returns the clashes. Arcs that only share ends are unchanged.
     ///
-    /// O((n + k) log n) for n arcs that meet k times, as long as few are long and lie side by side.
+    /// O((n + k) log n) for n arcs that meet k times, if few of them are long and lie side by side.
     ///
     /// # Errors
-    /// [`SubdivisionError`], beside all clashes.
+    /// [`SubdivisionError`], together with all clashes.
     pub fn new(drawing: &Drawing) -> (Vec<Clash>, Result<Self, SubdivisionError>) {
         let (clashes, network) = Network::new(drawing);
         (clashes, network.map_err(Into::into).and_then(Self::of))
@@ -67,7 +68,7 @@ impl Subdivision {
             numbers[face.index()] = number;
         }
         let mut darts = vec![Dart::default(); 2 * network.arcs.len()];
-        // Darts have the indices of their numbers, and a difference that is the same for all.
+        // The index of each half-edge is its dart's number plus a constant.
         let first = keys.half_edge(0).and_then(|key| dcel.half_edge(key).ok()).map_or(0, |h| h.index());
         for h in dcel.half_edges() {
             let face = numbers[h.face().index()];
@@ -77,19 +78,19 @@ impl Subdivision {
         Ok(Self { network, dcel, darts, at_pole, sky })
     }
 
-    /// The structure.
+    /// Returns the half-edge structure.
     #[must_use]
     pub const fn dcel(&self) -> &Dcel {
         &self.dcel
     }
 
-    /// The places of the vertices.
+    /// Returns the places of the vertices.
     #[must_use]
     pub fn places(&self) -> &[Place] {
         &self.network.places
     }
 
-    /// The number of vertices around which half-edges are not in order (G2): 0, as they were sorted by the predicate that is asked here. O(n).
+    /// Returns the number of vertices around which half-edges are not in order (G2). Always 0, because the same predicate sorted them. O(n).
     #[must_use]
     pub fn out_of_order(&self) -> usize {
         let mut first = vec![None; self.network.places.len()];
@@ -100,7 +101,7 @@ impl Subdivision {
             let (mut dart, mut turns) = (*start, 0);
             loop {
                 let next = self.next(dart ^ 1);
-                // Clockwise, the directions fall, but for one step in each turn.
+                // The directions decrease clockwise, except for one step in each turn.
                 let step = compare_around(*center, self.network.target(dart), self.network.target(next));
                 turns += usize::from(step.is_le());
                 dart = next;
@@ -113,8 +114,9 @@ impl Subdivision {
         vertices.filter(|one| is_out_of_order(*one)).count()
     }
 
-    /// The number of components that lie in another face than the structure says (G5), or have one in them: 0, as they were placed by what is to the north of them. Here all is asked that lies over and under a place of each,
-    /// up to the pole: from arc to arc, the face must be the same on both sides of what is between. O(k·s log s) for k components, and s arcs in a stripe of longitudes.
+    /// Returns the number of components for which the nesting (G5) is inconsistent. Always 0, because components were placed by the arcs to their
+    /// north. This checks all arcs over and under a place of each component, up to the pole: between consecutive arcs, the face must be the same on
+    /// both sides. O(k·s log s) for k components, and s arcs in a stripe of longitudes.
     #[must_use]
     pub fn misplaced(&self) -> usize {
         let is_misplaced = |(column, pole): &(Vec<u32>, Option<u32>)| {
@@ -133,7 +135,6 @@ impl Subdivision {
         self.dcel.face_count()
     }
 
-    /// The face to the left of a dart.
     pub(crate) fn face(&self, dart: u32) -> u32 {
         self.darts[dart as usize].face
     }
@@ -154,18 +155,17 @@ impl Subdivision {
         self.network.degrees[vertex as usize]
     }
 
-    /// The face in which a place lies; on an arc, or at a pole that is a vertex, one of those beside it.
+    /// Returns the face that contains a place; on an arc, or at a pole that is a vertex, one of the adjacent faces.
     pub(crate) fn locate(&self, place: Place) -> u32 {
         let place = if place == Place::SOUTH { Place::beside_south() } else { place };
         self.sky.dart_over(place).map_or(self.at_pole, |dart| self.face(dart))
     }
 
-    /// The polygons on one side only of the edge of a dart.
+    /// Returns the polygons on only one side of a dart's edge.
     pub(crate) fn polygons(&self, dart: u32) -> &[u32] {
         &self.network.polygons[dart as usize / 2]
     }
 
-    /// The cycles, as the first dart of each.
     pub(crate) fn cycles(&self) -> Vec<Vec<u32>> {
         let mut seen = vec![false; self.darts.len()];
         let mut cycles = Vec::new();
@@ -185,7 +185,7 @@ impl Subdivision {
     }
 }
 
-/// The darts around each vertex, counter-clockwise. O(n log n).
+/// Returns the darts around each vertex, counter-clockwise. O(n log n).
 fn rotations(network: &Network) -> Vec<Vec<u32>> {
     let mut rotations = vec![Vec::new(); network.places.len()];
     for (arc, ends) in (0..).zip(&network.arcs) {

@@ -1,4 +1,4 @@
-//! Vectors of three doubles, as far as lengths, areas and roundings need them.
+//! Vectors of three doubles, for lengths, areas and roundings.
 
 pub(crate) type Vector = [f64; 3];
 

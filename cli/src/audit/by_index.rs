@@ -1,4 +1,4 @@
-//! The features of a file with boxes, which are read where they are, tile by tile.
+//! The features of a file with boxes, read from the file tile by tile.
 
 use crate::on_disk::NewShelf;
 use std::borrow::Cow;
@@ -12,47 +12,45 @@ use twinedge_geometry::Point;
 use twinedge_map::Feature;
 use twinedge_report::Shelf;
 
-/// The number of times that the features of a file may be passed over until it takes less to copy them.
+/// The maximal number of passes over the features; beyond it, copying them is cheaper.
 const TIMES: u64 = 8;
 
 const EVERYTHING: [Point; 2] =
     [Point { x: f64::NEG_INFINITY, y: f64::NEG_INFINITY }, Point { x: f64::INFINITY, y: f64::INFINITY }];
 
-/// The features of a file with boxes. They are copied to another shelf if those of each tile are all over the file.
+/// The features of a file with boxes. They are copied to another shelf if the features of each tile are scattered over
+/// the file.
 pub(super) struct ByIndex {
     source: Source,
-    /// That of each tile.
+    /// The window of each tile.
     windows: Vec<[Point; 2]>,
     other: NewShelf,
-    /// The other shelf, if all features were copied to it.
     copied: Option<Box<dyn Shelf>>,
 }
 
-/// A file with boxes.
 struct Source {
     path: PathBuf,
     options: ReadOptions,
-    /// The readers that no thread has now.
+    /// The readers that no thread is using.
     free: Mutex<Vec<Indexed>>,
 }
 
-/// The best shelf for a file: itself, if it has boxes, or else another one.
+/// Returns the best shelf for a file: the file itself if it has boxes, otherwise another shelf.
 pub(super) fn shelf_of(path: Option<&Path>, options: ReadOptions, other: NewShelf) -> io::Result<Box<dyn Shelf>> {
     // A pipe cannot be opened again.
     let Some(path) = path.filter(|path| path.is_file()) else { return other() };
     match Indexed::open(path, &options) {
-        // Features have numbers of 32 bits.
+        // Feature numbers have 32 bits.
         Ok(Some(file)) if u32::try_from(file.amount().of_features).is_ok() => {
             let source = Source { path: path.to_owned(), options, free: Mutex::new(vec![file]) };
             Ok(Box::new(ByIndex { source, windows: Vec::new(), other, copied: None }))
         }
-        // A file that is damaged is refused when all of it is read.
+        // A damaged file is refused once all of it is read.
         _ => other(),
     }
 }
 
 impl Source {
-    /// Hands over the features in a window, with their numbers in order.
     fn read(&self, window: [Point; 2], each: &mut dyn FnMut(u32, Feature)) -> io::Result<()> {
         let free = || self.free.lock().unwrap_or_else(PoisonError::into_inner);
         let reader = free().pop();
@@ -71,7 +69,7 @@ impl Source {
         Ok(())
     }
 
-    /// Returns true if it takes less to look for the features of windows than to copy all of them.
+    /// Returns true if reading the features of all windows is cheaper than copying everything.
     fn is_in_order(&self, windows: &[[Point; 2]]) -> bool {
         let free = self.free.lock().unwrap_or_else(PoisonError::into_inner);
         free.first().is_some_and(|file| {

@@ -1,4 +1,4 @@
-//! The format of a report, and where it goes.
+//! The format of a report, and its destination.
 
 use crate::extension::format_of;
 use crate::output::{print, print_bytes};
@@ -25,7 +25,7 @@ pub(super) enum ReportFormat {
     Html,
 }
 
-/// The extensions that say a format.
+/// The format for each extension.
 const EXTENSIONS: [(&str, ReportFormat); 7] = [
     ("txt", ReportFormat::Text),
     ("json", ReportFormat::Json),
@@ -50,10 +50,10 @@ pub(super) struct Arguments {
 }
 
 impl Arguments {
-    /// The destination of a report.
+    /// Returns the destination of a report.
     ///
     /// # Errors
-    /// [`Failure`], if the extension of the output says no format, and none is named.
+    /// [`Failure`], if the output's extension names no format and no format is given.
     pub(super) fn destination<'a>(&'a self, input: Option<&'a Path>) -> Result<Destination<'a>, Failure> {
         let path = self.output.as_deref().filter(|path| *path != Path::new("-"));
         let format = match self.format {
@@ -64,7 +64,6 @@ impl Arguments {
     }
 }
 
-/// The destination of a report.
 #[derive(Clone, Copy)]
 pub(super) struct Destination<'a> {
     pub(super) format: ReportFormat,
@@ -73,7 +72,6 @@ pub(super) struct Destination<'a> {
 }
 
 impl Destination<'_> {
-    /// Writes text for people.
     pub(super) fn text(&self, text: &str) -> Result<(), Failure> {
         match self.path {
             None => print(text),
@@ -81,7 +79,6 @@ impl Destination<'_> {
         }
     }
 
-    /// Writes bytes as they are.
     pub(super) fn bytes(&self, bytes: &[u8]) -> Result<(), Failure> {
         match self.path {
             None => print_bytes(bytes),
@@ -89,7 +86,7 @@ impl Destination<'_> {
         }
     }
 
-    /// The file that is written, if it is one.
+    /// Returns the path of the output file, if there is one.
     pub(super) const fn file(&self) -> Option<&Path> {
         self.path
     }

@@ -50,7 +50,6 @@ pub(super) struct MeshOptions {
 }
 
 impl MeshOptions {
-    /// Returns true if anything is expected.
     pub(super) fn is_any(&self) -> bool {
         self.expectation() != HalfEdgeMesh::expectation() || !self.space().is_empty()
     }
@@ -78,7 +77,7 @@ impl MeshOptions {
         expectation
     }
 
-    /// The rules about the places of the points.
+    /// Returns the requested rules about the places of points.
     pub(super) fn space(&self) -> Vec<SpaceRule> {
         let asked = [
             (self.no_zero_area, SpaceRule::Area),

@@ -36,7 +36,7 @@ impl Audit {
         timeout::within(self.timeout, |claim| self.judge(claim), || self.unfinished())
     }
 
-    /// Audits, and writes the report unless time was up before.
+    /// Audits the input, and writes the report unless the time is up.
     fn judge(&self, claim: &Claim) -> Result<Verdict, Failure> {
         let start = Instant::now();
         let before = self.map.path().and_then(changed);
@@ -84,7 +84,6 @@ impl Audit {
         Ok(if audited.is_valid() { Verdict::Sound } else { Verdict::Wrong })
     }
 
-    /// Reads an input, and judges it.
     fn of_input(&self, input: Input, kind: InputKind, options: &Options) -> Result<Audited, Failure> {
         let name = input.name.clone();
         let other = self.against.as_deref().map(|path| open(Some(path), self.against_layer.as_deref())).transpose()?;
@@ -92,7 +91,7 @@ impl Audit {
         let division = self.memory.map(Division::Within).or(self.tiles.map(Division::Across));
         let audited = match division {
             Some(division) => {
-                // A file that was unpacked goes when it was read.
+                // A file that was unpacked is deleted after reading.
                 let path = input.path.as_deref().filter(|_| input.kept.is_none());
                 let mut shelf = shelf_of(path, input.options(), shelf_for(division)).map_err(named("--memory"))?;
                 busy(|stage| audit_in_tiles(input, options, division, &mut *shelf, stage))
@@ -103,7 +102,7 @@ impl Audit {
         audited.map_err(named(&name))
     }
 
-    /// Reads boundaries of `OpenStreetMap`, and judges their relations and the map that they make.
+    /// Reads boundaries of `OpenStreetMap`, and judges their relations and their map.
     fn of_boundaries(&self, tags: &TagFilter, name: &str, options: &Options) -> Result<Audited, Failure> {
         let path = self.map.path().ok_or_else(|| Failure("--boundaries: a file .osm.pbf is needed".to_owned()))?;
         let limit = options.list.unwrap_or(Collect::DEFAULT_CAP);
@@ -115,7 +114,7 @@ impl Audit {
         })
     }
 
-    /// The report that time was up, in the formats that need no more than a verdict.
+    /// Reports that the time is up, in the formats that need only a verdict.
     fn unfinished(&self) -> Result<Verdict, Failure> {
         let name = self.map.path().map_or_else(|| "standard input".to_owned(), |path| path.display().to_string());
         let seconds = self.timeout.unwrap_or_default();
@@ -130,14 +129,13 @@ impl Audit {
     }
 }
 
-/// Reads a list of accepted findings.
 fn accepted(path: &Path) -> Result<Accepted, Failure> {
     let name = path.display().to_string();
     let text = std::fs::read_to_string(path).map_err(named(&name))?;
     Accepted::read(&text).map_err(named(&name))
 }
 
-/// That by which one sees that a file has changed: its length, and when it was written.
+/// Returns the length and the modification time of a file, which show whether it has changed.
 fn changed(path: &Path) -> Option<(u64, Option<std::time::SystemTime>)> {
     let of = |metadata: Metadata| (metadata.len(), metadata.modified().ok());
     std::fs::metadata(path).ok().filter(Metadata::is_file).map(of)

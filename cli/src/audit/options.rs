@@ -1,18 +1,18 @@
-//! The options that each kind of inputs takes.
+//! The options that each kind of input accepts.
 
 use super::arguments::Audit;
 use super::destination::{Destination, ReportFormat};
 use crate::status::{Failure, named};
 use twinedge_report::{Input, InputKind};
 
-/// Options that only some kinds of inputs take.
+/// Options that only some kinds of input accept.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Options {
     /// `--snap`.
     Snap,
-    /// Those under "Coverage", `--edges`, `--geodesic`, and lists of accepted findings.
+    /// The options under "Coverage", `--edges`, `--geodesic`, and lists of accepted findings.
     Coverage,
-    /// Those under "Meshes".
+    /// The options under "Meshes".
     Mesh,
     /// `--format html`.
     Page,
@@ -28,7 +28,6 @@ impl Options {
     const ALL: [Self; 7] =
         [Self::Snap, Self::Coverage, Self::Mesh, Self::Page, Self::Findings, Self::Tiles, Self::Layers];
 
-    /// Those that a kind of inputs takes.
     const fn of(kind: InputKind) -> &'static [Self] {
         match kind {
             InputKind::Map => &[Self::Snap, Self::Coverage, Self::Page, Self::Findings, Self::Tiles, Self::Layers],
@@ -53,7 +52,7 @@ impl Options {
         }
     }
 
-    /// The words by which they are refused for a kind of input.
+    /// The message that refuses these options for a kind of input.
     fn refusal(self, what: &str) -> String {
         match self {
             Self::Snap => format!("--snap is for maps, and this is {what}"),
@@ -72,9 +71,8 @@ impl Options {
 }
 
 impl Audit {
-    /// Refuses options that were given and are for other kinds.
     pub(super) fn refuse_options(&self, kind: InputKind, to: &Destination<'_>, input: &Input) -> Result<(), Failure> {
-        // The formats of maps differ.
+        // Map formats differ in their options.
         if !matches!(kind, InputKind::Map | InputKind::Arcs) {
             input.refuse_layer(kind.words()).map_err(named(&input.name))?;
         }

@@ -1,33 +1,32 @@
-//! An end to work that takes too long.
+//! A time limit for long work.
 
 use crate::status::{Failure, Verdict, named};
 use std::sync::Mutex;
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::Duration;
 
-/// The stack of the work, which reads what may be nested deeply, as that of the main thread.
+/// The stack of the working thread, which may read deeply nested input: as large as the main thread's.
 const STACK: usize = 8 << 20;
 
-/// The right to write the outcome, which one of two takes.
+/// The right to write the outcome, taken by one of two threads.
 #[derive(Default)]
 pub(super) struct Claim(Mutex<bool>);
 
 impl Claim {
-    /// Takes the right to write. If time was up before, the program ends, and this does not return.
+    /// Takes the right to write. If the time was up before, this does not return, and the program ends.
     pub(super) fn take(&self) {
         while !self.is_taken() {
             std::thread::park();
         }
     }
 
-    /// Takes the right to write, if nobody has it.
     fn is_taken(&self) -> bool {
         let mut taken = self.0.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
         !std::mem::replace(&mut *taken, true)
     }
 }
 
-/// Does the work. If it has taken so many seconds and not yet claimed to write its outcome, `late` is done instead, and the program ends.
+/// Does the work. After `seconds`, unless the work has claimed the right to write its outcome, calls `late` and ends the program.
 pub(super) fn within(
     seconds: Option<f64>,
     work: impl FnOnce(&Claim) -> Result<Verdict, Failure> + Send,
@@ -39,7 +38,7 @@ pub(super) fn within(
     std::thread::scope(|scope| {
         let (send, receive) = channel();
         let body = move || {
-            // The other end is there as long as this one.
+            // The receiver lives as long as this sender.
             let _ = send.send(work(claim));
         };
         std::thread::Builder::new().stack_size(STACK).spawn_scoped(scope, body).map_err(named("--timeout"))?;
@@ -50,7 +49,7 @@ pub(super) fn within(
                     Ok(verdict) => verdict.status(),
                     Err(failure) => failure.tell(),
                 };
-                // The work is not waited for.
+                // Do not wait for the work.
                 std::process::exit(status.into())
             }
             // Its outcome is being written.

@@ -1,4 +1,4 @@
-//! Writing an audit in the format that was asked for.
+//! Writing an audit in the requested format.
 
 use super::destination::{Destination, ReportFormat};
 use crate::output::plain;

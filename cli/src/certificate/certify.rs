@@ -1,4 +1,4 @@
-//! `twinedge certify`: a certificate is written.
+//! `twinedge certify` writes a certificate.
 
 use super::check::lines;
 use super::folder::{Claim, Folder};
@@ -128,7 +128,7 @@ impl Certify {
         self.write(name, &Claim::Surface(Box::new(certificate)), &counts, None)
     }
 
-    /// Checks the certificate, and writes it if it is right.
+    /// Checks the certificate, and writes it if it is valid.
     fn write(&self, name: &str, claim: &Claim, counts: &str, exponent: Option<i32>) -> Result<Verdict, Failure> {
         let words = match claim.check() {
             Ok(words) => words,
@@ -155,7 +155,7 @@ fn no_labels(name: &str, error: LabelsError) -> Failure {
     Failure(format!("{name}: {error}"))
 }
 
-/// Says of an input, line by line, what is wrong.
+/// Prints an input's findings line by line.
 fn refuse(name: &str, lines: &str) -> Result<Verdict, Failure> {
     print(&format!("{name}: not valid, nothing is written\n{lines}"))?;
     Ok(Verdict::Wrong)

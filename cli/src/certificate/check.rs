@@ -1,4 +1,4 @@
-//! `twinedge check`: a certificate is checked.
+//! `twinedge check` checks a certificate.
 
 use super::folder;
 use crate::output::print;
@@ -49,7 +49,6 @@ impl Check {
     }
 }
 
-/// A line for each test that failed.
 pub(super) fn lines(failures: &[FailedTest]) -> String {
     failures.iter().fold(String::new(), |lines, failure| lines + &failure.to_string() + "\n")
 }

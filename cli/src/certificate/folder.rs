@@ -9,27 +9,24 @@ use std::path::Path;
 use twinedge_certificate::{Certificate, Column, Drawing, Failure as FailedTest, Labels, SurfaceCertificate};
 use twinedge_report::certificate::{Claimed, FIRST_LINE, POINT_FILES, check_plane, check_surface, file_name};
 
-/// More bytes than the first two lines of a claim have.
+/// An upper bound for the bytes of the first two lines of a claim.
 const LINES: u64 = 64;
 pub(super) const CLAIM_FILE: &str = "claim.txt";
 
-/// A certificate by its claim.
 pub(super) enum Claim {
-    /// The claims `plane` and `drawing`.
     Plane(Box<Folder>),
-    /// The claim `surface`.
     Surface(Box<SurfaceCertificate>),
 }
 
-/// A certificate of a plane subdivision as it is in a folder.
+/// A certificate of a plane subdivision, as stored in a folder.
 pub(super) struct Folder {
     pub(super) certificate: Certificate,
-    /// With the claim `drawing`.
+    /// The drawing, for the claim `drawing`.
     pub(super) drawing: Option<Drawing>,
 }
 
 impl Claim {
-    /// Checks the certificate, and gives the claim in words, or the tests that fail.
+    /// Checks the certificate. Returns the claim in words, or the failed tests.
     pub(super) fn check(&self) -> Result<String, Vec<FailedTest>> {
         match self {
             Self::Plane(folder) => check_plane(&folder.certificate, folder.drawing.as_ref()),
@@ -37,7 +34,6 @@ impl Claim {
         }
     }
 
-    /// The second line of its claim.
     pub(super) fn line(&self) -> &'static str {
         match self {
             Self::Plane(folder) if folder.drawing.is_some() => Claimed::Drawing.line(),
@@ -46,7 +42,6 @@ impl Claim {
         }
     }
 
-    /// Writes all columns.
     pub(super) fn write_columns(&self, folder: &Path) -> Result<(), Failure> {
         match self {
             Self::Plane(plane) => plane.write(folder),
@@ -54,16 +49,15 @@ impl Claim {
         }
     }
 
-    /// Writes the claim with these notes below it.
     pub(super) fn write_claim(&self, folder: &Path, notes: &Notes) -> Result<(), Failure> {
         let claim = format!("{FIRST_LINE}{}{}", self.line(), notes.lines());
         write_file(&folder.join(CLAIM_FILE), claim.as_bytes())
     }
 }
 
-/// Checks a folder, and gives its claim in words, or the tests that fail. What is not readable, as the specification says, is a failure.
+/// Checks a folder. Returns its claim in words, or the failed tests. A folder that is unreadable by the specification is a failure.
 ///
-/// Links lead anywhere, so pages of all columns are kept in so much memory, and others are read again where they are needed.
+/// Links lead anywhere, so pages of all columns are cached within `memory` bytes, and others are read again on demand.
 pub(super) fn check(folder: &Path, memory: u64) -> Result<Result<String, Vec<FailedTest>>, Failure> {
     let file = folder.join(CLAIM_FILE);
     let mut lines = Vec::new();
@@ -77,7 +71,6 @@ pub(super) fn check(folder: &Path, memory: u64) -> Result<Result<String, Vec<Fai
 }
 
 impl Folder {
-    /// Writes all columns.
     fn write(&self, folder: &Path) -> Result<(), Failure> {
         write_columns(folder, Column::of_subdivision(), self.certificate.columns())?;
         if let Some(drawing) = &self.drawing {
@@ -91,7 +84,7 @@ impl Folder {
     }
 }
 
-/// The names of all files that a certificate may have without tables.
+/// The names of all files of a certificate without tables.
 pub(super) fn file_names() -> impl Iterator<Item = String> {
     let fixed = [CLAIM_FILE, POINT_FILES[0], POINT_FILES[1]].map(str::to_owned);
     Column::ALL.into_iter().map(file_name).chain(fixed)

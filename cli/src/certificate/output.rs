@@ -1,4 +1,4 @@
-//! The folder that a certificate is written to.
+//! The output folder of a certificate.
 
 use super::folder::{self, CLAIM_FILE, Claim, write_file};
 use super::notes::Notes;
@@ -9,8 +9,7 @@ use std::path::Path;
 use std::{fs, io};
 use twinedge_report::certificate::FIRST_LINE;
 
-/// Writes all columns, the tables if they are asked for, and then the claim with these notes below it. A certificate that is there is
-/// replaced.
+/// Writes all columns, the tables if requested, and then the claim with these notes. Replaces an existing certificate.
 pub(super) fn write(folder: &Path, claim: &Claim, notes: &Notes, sql: Option<Engine>) -> Result<(), Failure> {
     clear(folder)?;
     claim.write_columns(folder)?;
@@ -20,7 +19,7 @@ pub(super) fn write(folder: &Path, claim: &Claim, notes: &Notes, sql: Option<Eng
     claim.write_claim(folder, notes)
 }
 
-/// Makes the folder, or removes the certificate that is in it. A folder with anything else is left as it is.
+/// Creates the folder, or removes the certificate in it. A folder with other files is left alone.
 fn clear(path: &Path) -> Result<(), Failure> {
     let name = path.display();
     let failed = |error: io::Error| Failure(format!("{name}: {error}"));
@@ -39,7 +38,7 @@ fn clear(path: &Path) -> Result<(), Failure> {
     if !fs::read(&claim).is_ok_and(|claim| claim.starts_with(FIRST_LINE.as_bytes())) {
         return Err(Failure(format!("{name}: this folder has files and no certificate, and is not written to")));
     }
-    // Without its second line a folder that is not written to the end is unreadable, and can be written to once more.
+    // Without its second line, an incomplete folder is unreadable, and can be written again.
     write_file(&claim, FIRST_LINE.as_bytes())?;
     for file in there.iter().filter(|file| *file != CLAIM_FILE) {
         fs::remove_file(path.join(file)).map_err(failed)?;

@@ -8,18 +8,18 @@ use std::path::{Path, PathBuf};
 use twinedge_certificate::{Column, Columns, Numbers};
 use twinedge_report::certificate::{POINT_FILES, file_name};
 
-/// Numbers on a page.
+/// The number of entries on a page.
 const PAGE: usize = 4096;
 
-/// Columns of which so much is in memory as there is room for.
+/// The columns, cached as far as memory permits.
 pub(super) struct Paged {
-    /// By number of the column; nothing for those that the claim does not have.
+    /// The columns by number; `None` for columns that the claim does not have.
     columns: Vec<Option<Numbered<4>>>,
     points: Option<[Numbered<8>; 2]>,
 }
 
 impl Paged {
-    /// Opens the files of these columns. All pages that are in memory at one time take at most so many bytes, and one page of each file.
+    /// Opens the files of these columns. The cached pages take at most `memory` bytes, plus one page for each file.
     pub(super) fn open(folder: &Path, wanted: &[Column], has_points: bool, memory: u64) -> Result<Self, Failure> {
         let files = wanted.len() + if has_points { 2 * POINT_FILES.len() } else { 0 };
         let share = memory / files.max(1) as u64;
@@ -40,14 +40,14 @@ impl Paged {
         Ok(Self { columns, points })
     }
 
-    /// The first page that could not be read. Nothing is to be said of the certificate then.
+    /// Returns the error of the first page that could not be read. Then the check proves nothing about the certificate.
     pub(super) fn failure(self) -> Option<Failure> {
         let columns = self.columns.into_iter().flatten().find_map(|column| column.failure());
         columns.or_else(|| self.points?.into_iter().find_map(|column| column.failure()))
     }
 }
 
-/// A file of numbers of so many bytes each, the least significant first.
+/// A file of numbers of `BYTES` bytes each, the least significant first.
 struct Numbered<const BYTES: usize> {
     path: PathBuf,
     file: File,
@@ -56,7 +56,7 @@ struct Numbered<const BYTES: usize> {
     error: OnceCell<io::Error>,
 }
 
-/// Room for one page: each page has its frame, which it shares with others if there are more pages than frames.
+/// Room for one page. Each page has its frame; if there are more pages than frames, pages share frames.
 struct Frame<const BYTES: usize> {
     page: Option<usize>,
     numbers: Vec<[u8; BYTES]>,
@@ -89,7 +89,7 @@ impl<const BYTES: usize> Numbered<BYTES> {
         frame.numbers.get(place).copied()
     }
 
-    /// Reads a page. After an error nothing is read any more, so that the check comes to its end.
+    /// Reads a page. After an error, nothing is read any more, so that the check ends.
     #[cold]
     fn load(&self, page: usize, frame: &mut Frame<BYTES>) -> Option<()> {
         if self.error.get().is_some() || page >= self.count.div_ceil(PAGE) {
@@ -115,7 +115,6 @@ impl<const BYTES: usize> Numbered<BYTES> {
     }
 }
 
-/// A column, or none.
 #[derive(Clone, Copy)]
 pub(super) struct PagedColumn<'a>(Option<&'a Numbered<4>>);
 

@@ -1,4 +1,4 @@
-//! Structures that are certified as they are: meshes, topologies of PostGIS, and tables.
+//! Structures that are certified without a map: meshes, topologies of PostGIS, and tables.
 
 use crate::status::{Failure, Verdict};
 use std::fmt::Display;
@@ -9,20 +9,18 @@ use twinedge_formats::postgis::{self, Listed};
 use twinedge_formats::textbook::Textbook;
 use twinedge_report::{EXPECT, Input, InputKind};
 
-/// A structure by what it is to be, or, line by line, what is wrong with it.
+/// A structure with its expectation, or the findings line by line.
 pub(super) enum Source<'a> {
     Plane(&'a dyn View),
     Surface(&'a dyn View),
     Wrong(String),
 }
 
-/// Greatest number of findings that are printed of what is wrong.
 pub(super) const LIST: usize = 10;
 
-/// Does something with the structure in an input that is no map.
+/// Uses the structure in an input that is not a map.
 pub(super) type Use<'a> = &'a dyn Fn(Source<'_>) -> Result<Verdict, Failure>;
 
-/// Reads an input that is no map.
 pub(super) fn read(input: Input, kind: InputKind, certify: Use<'_>) -> Result<Verdict, Failure> {
     match kind {
         InputKind::Mesh(format) => read_mesh(input, format, certify),
@@ -62,7 +60,7 @@ fn read_textbook(Input { name, mut reader, .. }: Input, certify: Use<'_>) -> Res
     certify(Source::Plane(&tables))
 }
 
-/// The first table of a file, and what it is held to.
+/// Reads the first table of a file, and its expectation.
 fn read_table(Input { name, reader, .. }: Input, certify: Use<'_>) -> Result<Verdict, Failure> {
     let failed = |error: &dyn Display| Failure(format!("{name}: {error}"));
     let mut expectation = Expectation::plane();
@@ -80,7 +78,7 @@ fn read_table(Input { name, reader, .. }: Input, certify: Use<'_>) -> Result<Ver
                 return Err(failed(&"planar subdivisions with an open boundary have no certificates"));
             }
             let report = validate(&table, &expectation, Collect::AtMost(LIST));
-            // Of a subdivision the tests say what is wrong.
+            // For a subdivision, the tests describe what fails.
             return certify(match report.is_valid() {
                 false if expectation != Expectation::plane() => wrong(report.violations()),
                 _ if is_plane => Source::Plane(&table),

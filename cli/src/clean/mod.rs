@@ -182,11 +182,10 @@ impl Clean {
         Ok(if report.left.is_none() { Verdict::Sound } else { Verdict::Wrong })
     }
 
-    /// Prints the report.
     fn say(&self, mut cleaned: Cleaning<'_>, start: Instant) -> Result<(), Failure> {
         cleaned.elapsed_ms = start.elapsed().as_secs_f64() * 1000.0;
         match self.format {
-            // Standard output has the layer.
+            // The layer goes to standard output.
             Format::Text if self.output.is_stdout() => anstream::eprint!("{}", cleaned.text(self.list)?),
             Format::Json if self.output.is_stdout() => eprint!("{}", String::from_utf8_lossy(&json(&cleaned.json())?)),
             Format::Text => print(&cleaned.text(self.list)?)?,

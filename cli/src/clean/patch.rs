@@ -1,4 +1,4 @@
-//! The output of `clean`, the patch beside it, and taking a patch back.
+//! The output of `clean`, its patch, and undoing a patch.
 
 use crate::convert::LayerOutput;
 use crate::input::LayerFile;
@@ -14,9 +14,7 @@ use twinedge_formats::layer::{Edit, Format, Layer, edits, write};
 use twinedge_report::Judged;
 use twinedge_report::clean::{Changes, Patch, Written};
 
-/// A layer that was cleaned.
 pub(super) struct Cleaned<'a> {
-    /// The number of features before.
     pub(super) count: usize,
     /// The text of the input, if it is GeoJSON.
     pub(super) text: Option<(String, Format)>,
@@ -25,7 +23,6 @@ pub(super) struct Cleaned<'a> {
 }
 
 impl Cleaned<'_> {
-    /// Writes the layer, and the patch if one is asked for.
     pub(super) fn write(
         &self,
         input: &LayerFile,
@@ -50,7 +47,7 @@ impl Cleaned<'_> {
         Ok(written)
     }
 
-    /// The changes of the text; where it has no room for one, all of it is changed.
+    /// Returns the changes of the text; if it has no room for one of them, the whole text is replaced.
     fn edits(&self, text: &str, format: Format) -> Result<Vec<Edit>, Failure> {
         let changed: Vec<usize> = self.report.features.iter().map(|change| change.feature).collect();
         if changed.is_empty() {
@@ -81,7 +78,7 @@ fn refuse_same(patch: &Path, other: Option<&Path>) -> Result<(), Failure> {
     }
 }
 
-/// Writes the input of which a file was made, by the patch that was written with it.
+/// Writes the input of a cleaned file, by the patch written with that file.
 pub(super) fn undo(patch: &Path, input: &LayerFile, output: &LayerOutput) -> Result<Verdict, Failure> {
     let name = patch.display().to_string();
     let failed = named(&name);

@@ -1,4 +1,4 @@
-//! `clean` of a file that is larger than memory.
+//! `clean` for a file that is larger than memory.
 
 use super::{Clean, GapWidth};
 use crate::on_disk::shelf_for;

@@ -1,4 +1,4 @@
-//! The steps of a decomposition as an animated picture.
+//! An animated picture of the steps of a decomposition.
 
 use crate::output::grouped;
 use std::fmt::{self, Write as _};
@@ -7,15 +7,13 @@ use twinedge_algorithm::convex::{ConvexError, is_essential, remove_inessential, 
 use twinedge_geometry::Point;
 use twinedge_map::PlanarMap;
 
-/// More diagonals than this are no small input.
+/// The maximal number of diagonals.
 const MOST: usize = 2_000;
-/// The longer side of the picture, in pixels.
 const SIZE: f64 = 800.0;
-/// Seconds before the first diagonal is looked at, and from one to the next.
+/// The seconds before the first diagonal is looked at, and between two diagonals.
 const BEFORE: f64 = 2.0;
 const STEP: f64 = 0.6;
 
-/// Why there is no picture.
 #[derive(Debug, thiserror::Error)]
 pub(super) enum StepsError {
     #[error(transparent)]
@@ -26,14 +24,14 @@ pub(super) enum StepsError {
     Write(#[from] fmt::Error),
 }
 
-/// A straight line, and whether it was essential when it was looked at.
+/// A straight line, and whether it was essential when examined.
 struct Diagonal {
     ends: [Point; 2],
     essential: bool,
 }
 
-/// Draws the triangulation of some faces, and each diagonal as it is looked at: it turns orange, and then green if it is
-/// essential, or vanishes.
+/// Draws the triangulation of some faces and each diagonal as it is examined: it turns orange, and then green if it is
+/// essential, or else vanishes.
 pub(super) fn picture(map: &PlanarMap, faces: &[FaceKey]) -> Result<String, StepsError> {
     let mut map = map.clone();
     let ends =

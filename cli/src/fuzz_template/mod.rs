@@ -1,4 +1,4 @@
-//! `twinedge fuzz-template`: a folder for cargo-fuzz, for a structure of the user's.
+//! `twinedge fuzz-template`: a folder for cargo-fuzz that tests the user's structure.
 
 use crate::output::print;
 use crate::status::{Failure, Verdict};
@@ -8,10 +8,10 @@ use std::path::{Path, PathBuf};
 const MANIFEST: &str = include_str!("Cargo.toml.txt");
 const TARGET: &str = include_str!("conforms.rs.txt");
 
-/// The folder of the library from which this program was built.
+/// The library's folder at build time.
 const SOURCE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
 
-/// Number of files that fuzzing begins with, and of bytes of each.
+/// The number of seed files, and the bytes in each.
 const SEEDS: (u64, usize) = (16, 400);
 
 /// Write a folder for cargo-fuzz that tests a structure of your own.
@@ -106,7 +106,6 @@ impl FuzzTemplate {
     }
 }
 
-/// The name of the package in a folder.
 fn package_name(folder: &Path) -> Result<String, Failure> {
     let manifest = folder.join("Cargo.toml");
     let shown = manifest.display();
@@ -121,7 +120,7 @@ fn absolute(path: &Path) -> Result<PathBuf, Failure> {
     fs::canonicalize(path).map_err(|error| Failure(format!("{}: {error}", path.display())))
 }
 
-/// A path as a string of TOML, of which that of Rust is a part.
+/// Quotes a path as a TOML string, for which Rust's syntax is a subset of TOML's.
 fn quoted(path: &Path) -> String {
     format!("{:?}", path.display().to_string())
 }
@@ -134,7 +133,6 @@ fn write(path: &Path, contents: &[u8]) -> Result<(), Failure> {
     fs::write(path, contents).map_err(failed)
 }
 
-/// Bytes without pattern, always the same.
 fn noise(seed: u64, count: usize) -> Vec<u8> {
     let mut state = seed;
     let mut byte = || {

@@ -51,14 +51,14 @@ struct FacesAnswer<'a> {
     faces: Vec<Row>,
 }
 
-/// One face. An edge that has it on both sides is counted once.
+/// A face. An edge with the face on both sides counts once.
 #[derive(Debug, Serialize)]
 struct Row {
     id: usize,
     features: Vec<String>,
     overlap: bool,
     unbounded: bool,
-    /// None for the unbounded face.
+    /// `None` for the unbounded face.
     area: Option<f64>,
     edges: usize,
     holes: usize,

@@ -62,12 +62,12 @@ struct LineAnswer<'a> {
     met: Vec<Step>,
 }
 
-/// The part of the map that the line meets next.
+/// The next part of the map that the line meets.
 #[derive(Debug, Serialize)]
 struct Step {
     #[serde(flatten)]
     record: Record,
-    /// True if the line runs along it, as opposed to across; only edges can be run along.
+    /// True if the line runs along the part instead of across it; only edges can be run along.
     along: bool,
 }
 

@@ -1,4 +1,4 @@
-//! Lists that can be sorted and cut.
+//! Tables that can be sorted and truncated.
 
 use crate::output::style::QUIET;
 use crate::output::{print_answer, print_json};
@@ -67,12 +67,11 @@ impl Rows {
     }
 }
 
-/// Sorts rows by a number, the greatest first; rows with the same number stay in order.
+/// Sorts rows by a number, the greatest first. The sort is stable.
 pub(super) fn greatest_first<T>(rows: &mut [T], number: impl Fn(&T) -> f64) {
     rows.sort_by(|a, b| number(b).total_cmp(&number(a)));
 }
 
-/// Rows as comma-separated values.
 pub(super) fn csv<T: Serialize>(rows: impl IntoIterator<Item = T>, headings: &[&str]) -> Result<String, Failure> {
     let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
     writer.write_record(headings)?;

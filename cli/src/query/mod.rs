@@ -68,7 +68,7 @@ enum Question {
 }
 
 impl Question {
-    /// The notes on the input that the answer needs.
+    /// Returns the notes on the input that the answer needs.
     const fn keep(&self) -> Keep<'_> {
         let condition = match self {
             Self::Neighbours(question) => question.condition(),

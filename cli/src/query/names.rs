@@ -5,12 +5,11 @@ use crate::output::counted;
 use crate::status::Failure;
 use twinedge_map::{FeatureId, PlanarMap};
 
-/// The number of names that are suggested.
 const SUGGESTIONS: usize = 3;
-/// The similarity of a name that is suggested, from 0 to 1, at least.
+/// The least similarity of a suggested name, from 0 to 1.
 const SIMILAR: f64 = 0.75;
 
-/// The feature with this name, or with the number after a `#`.
+/// Finds the feature with this name, or with the number after a `#`.
 pub(crate) fn find(asked: &Source, name: &str) -> Result<FeatureId, Failure> {
     let Source { input, map, .. } = asked;
     let named: Vec<FeatureId> = map.features().filter(|f| map.name(*f) == Some(name)).collect();
@@ -43,7 +42,6 @@ pub(crate) fn find(asked: &Source, name: &str) -> Result<FeatureId, Failure> {
     }
 }
 
-/// The number of the last feature.
 fn last(map: &PlanarMap) -> usize {
     map.features().count().saturating_sub(1)
 }

@@ -5,7 +5,7 @@ use twinedge::dcel::{FaceKey, HalfEdgeKey, StaleKey, VertexKey};
 use twinedge_map::{FeatureId, PlanarMap};
 use twinedge_report::names::label;
 
-/// One record of the map.
+/// A record of the map.
 #[derive(Debug, Serialize)]
 #[serde(tag = "kind", rename_all = "snake_case")]
 pub(super) enum Record {

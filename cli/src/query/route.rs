@@ -43,7 +43,7 @@ enum Measure {
     Length,
 }
 
-/// Null where there is no way.
+/// The answer; null if there is no way.
 #[derive(Debug, Serialize)]
 struct RouteAnswer<'a> {
     input: &'a str,

@@ -1,4 +1,4 @@
-//! The feature that a question is about.
+//! The feature in question.
 
 use super::names::find;
 use super::source::Source;
@@ -24,17 +24,17 @@ pub(super) struct Which {
 }
 
 impl Which {
-    /// The notes to take while the map is read.
+    /// Returns the condition to note while the map is read.
     pub(super) const fn condition(&self) -> Option<&Condition> {
         self.condition.as_ref()
     }
 
-    /// Returns true if a feature is asked for.
+    /// Returns true if a feature is selected.
     pub(super) const fn is_given(&self) -> bool {
         self.name.is_some() || self.id.is_some() || self.condition.is_some()
     }
 
-    /// The only feature that it can be.
+    /// Returns the only feature that matches.
     pub(super) fn find(&self, asked: &Source) -> Result<FeatureId, Failure> {
         match self {
             Self { name: Some(name), .. } => find(asked, name),
@@ -52,7 +52,7 @@ impl Which {
     }
 }
 
-/// The only one of the features with these numbers.
+/// Returns the only one of these features; it is an error if there are several.
 fn only(asked: &Source, found: &[usize], what: &str) -> Result<FeatureId, Failure> {
     let Source { input, map, .. } = asked;
     match *found {

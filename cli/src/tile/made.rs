@@ -1,4 +1,4 @@
-//! Making the summaries of a tile, from all of a map or from what lies around the tile.
+//! Creates the summaries of a tile from the whole map or from the surroundings of the tile.
 
 use std::collections::BTreeMap;
 use twinedge_coverage::tile::{AuditError, Cuts, Grid, Summary, Tile, TileError};
@@ -9,10 +9,10 @@ use twinedge_geometry::Point;
 use twinedge_map::{BuildError, Feature};
 use twinedge_report::{Error, grid_of, no_cuts};
 
-/// The summary that is asked for.
+/// The requested summary.
 pub(super) struct Asked {
     pub(super) size: [u32; 2],
-    /// The corners of the box that the grid divides, if they are not those of the map.
+    /// The corners of the box that the grid divides, if not the map's box.
     pub(super) corners: Option<[Point; 2]>,
     pub(super) place: Tile,
     pub(super) limits: Limits,
@@ -27,13 +27,13 @@ impl Asked {
     }
 }
 
-/// The summary of a tile, and that of the tile with its edges cut.
+/// The summary of a tile, and the summary of the tile with its edges cut.
 pub(super) struct Made {
     pub(super) summary: Summary,
     pub(super) cut: Option<Summary>,
 }
 
-/// Makes the summaries from all features of a map, which lie between two corners.
+/// Creates the summaries from all features of a map, which lies between two corners.
 pub(super) fn of_whole(features: &[Feature], corners: Option<[Point; 2]>, asked: &Asked) -> Result<Made, Error> {
     let numbered = (0..).zip(features);
     let grid = asked.grid(corners)?;
@@ -43,8 +43,8 @@ pub(super) fn of_whole(features: &[Feature], corners: Option<[Point; 2]>, asked:
     Ok(Made { summary, cut: cut.transpose().map_err(refused)? })
 }
 
-/// Makes the summaries from the features around the tile: those that meet it, and then those that meet their edges there, by which these edges are cut.
-/// It is not known if there is something to cut elsewhere in the map, so edges are taken as cut in any case.
+/// Creates the summaries from the features around the tile: the features that meet it, and then the features that meet their edges there and so cut
+/// them. The rest of the map may need cuts too, so edges always count as cut.
 pub(super) fn by_windows(file: &mut Indexed, asked: &Asked) -> Result<Made, Error> {
     let corners = file.corners();
     let (grid, cuts) = (asked.grid(corners)?, no_cuts(corners)?);
@@ -64,7 +64,7 @@ fn numbered(features: &BTreeMap<u32, Feature>) -> impl Iterator<Item = (u32, &Fe
     features.iter().map(|(number, feature)| (*number, feature))
 }
 
-/// Adds the features in a window that are not there yet.
+/// Adds the features in a window that are still missing.
 fn add(file: &mut Indexed, window: [Point; 2], features: &mut BTreeMap<u32, Feature>) -> Result<(), Error> {
     if u32::try_from(file.amount().of_features).is_err() {
         return Err(ReadError::Refused("there are more than 4,294,967,295 features".into()).into());
@@ -84,7 +84,7 @@ fn refused(error: TileError) -> Error {
     AuditError::from(error).into()
 }
 
-/// The cuts among all of these features; none, if there are too many.
+/// Returns the cuts among all of these features; `None` if there are too many.
 fn complete<'f>(
     mut cuts: Cuts,
     features: &(impl Iterator<Item = (u32, &'f Feature)> + Clone),

@@ -70,11 +70,11 @@ pub(crate) struct Tile {
 pub(crate) struct Saved {
     pub(crate) command: String,
     pub(crate) version: String,
-    /// The coordinate reference system, if it is another one than longitude and latitude on WGS 84.
+    /// The coordinate reference system, unless it is longitude and latitude on WGS 84.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) crs: Option<String>,
     pub(crate) summary: Summary,
-    /// That of the tile with its edges cut; none, if there is nothing to cut in the map, or too much.
+    /// The summary of the tile with its edges cut; `None` if the map needs no cuts, or too many.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) cut: Option<Summary>,
 }
@@ -82,7 +82,7 @@ pub(crate) struct Saved {
 impl Saved {
     pub(crate) const COMMAND: &'static str = "tile";
 
-    /// The file with these summaries, of a map with another coordinate reference system than longitude and latitude if that is named.
+    /// Returns the file with these summaries. `crs` names a reference system other than longitude and latitude.
     pub(crate) fn bytes(crs: Option<String>, summary: Summary, cut: Option<Summary>) -> Result<Vec<u8>, Failure> {
         let (command, version) = (Self::COMMAND.to_owned(), env!("CARGO_PKG_VERSION").to_owned());
         let mut bytes = serde_json::to_vec(&Self { command, version, crs, summary, cut })?;
@@ -122,10 +122,10 @@ impl Tile {
         }
         let options = input.options();
         let may_say = input.map_format().map_err(named(&name))? == Some(Format::GeoParquet) && self.edges.is_none();
-        // A pipe is not opened a second time: it can be read but once.
+        // A pipe can only be read once, so it is not opened a second time.
         let path = input.path.as_deref().filter(|path| path.is_file());
         let indexed = path.map(|path| Indexed::open(path, &options)).transpose().map_err(named(&name))?.flatten();
-        // Cuts depend on how far the map reaches.
+        // Cuts depend on the extent of the map.
         let indexed = indexed.filter(|file| file.corners().is_some());
         let asked = Asked { size: self.grid, corners: self.corners, place: self.place, limits: self.limits.limits() };
         let refuse = |edges: Option<&str>, crs: Option<&Crs>, corners| {

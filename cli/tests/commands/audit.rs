@@ -14,7 +14,7 @@ fn broken(found: &Value) -> Vec<(&str, u64)> {
     rules.filter(|(_, violations)| *violations > 0).collect()
 }
 
-/// In alphabetical order.
+/// Returns the keys in alphabetical order.
 fn keys(value: &Value) -> Vec<&str> {
     let mut keys: Vec<&str> = value.as_object().unwrap().keys().map(String::as_str).collect();
     keys.sort_unstable();
@@ -128,7 +128,7 @@ fn two_crossings_are_found_and_named() {
     for violation in of_rule("G4") {
         let places: Vec<[f64; 2]> = serde_json::from_value(violation["at"].clone()).unwrap();
         for (crossing, matched) in crossings.iter().zip(&mut matched) {
-            // Given to five decimal places.
+            // Coordinates with five decimal places.
             let names = |corner: &[f64; 2]| {
                 places.iter().any(|place| (place[0] - corner[0]).abs() < 6e-6 && (place[1] - corner[1]).abs() < 6e-6)
             };
@@ -259,7 +259,7 @@ fn every_format_of_the_library_is_read() {
     let output = twinedge_reading(&["audit", "-", "--format", "json"], polygon);
     let found: Value = serde_json::from_slice(&output.stdout).unwrap();
     assert_eq!((&found["import"]["with_extra_dimensions"], &found["import"]["dropped_empty"]), (&json!(4), &json!(1)));
-    // A file that cannot be read is named, with a way to convert it.
+    // The message names the unreadable format, and a way to convert it.
     let output = twinedge_reading(&["audit", "-"], b"SQLite format 3\0 and more");
     assert_eq!(output.status.code(), Some(2));
     assert!(complaint(&output).contains("ogr2ogr"), "{}", complaint(&output));
@@ -299,7 +299,7 @@ fn explanations_are_given_of_maps_and_of_tables() {
     assert!(!text.contains("usual cause"), "{text}");
 }
 
-/// Three parcels: the second begins 0.05 inside the first, the third 0.05 behind the second.
+/// Three parcels: the second begins 0.05 inside the first, and the third 0.05 behind the second.
 const PARCELS: &str = r#"{"type": "FeatureCollection", "features": [
     {"type": "Feature", "id": "A-1", "properties": {"name": "Meadow"}, "geometry":
         {"type": "Polygon", "coordinates": [[[0, 0], [10, 0], [10, 10], [0, 10], [0, 0]]]}},
@@ -383,7 +383,7 @@ fn snapping_does_not_hide_a_missing_vertex() {
     }
 }
 
-/// A crossing elsewhere does not follow from it.
+/// A crossing elsewhere does not follow from the missing vertex.
 #[test]
 fn a_crossing_beside_a_missing_vertex_does_not_follow_from_it() {
     let crossing = "POLYGON((10 0,14 0,14 4,10 4,10 0))\nPOLYGON((12 2,16 2,16 6,12 6,12 2))\n";
@@ -393,11 +393,11 @@ fn a_crossing_beside_a_missing_vertex_does_not_follow_from_it() {
         all.filter(|one| one.get("follows_from").cloned().unwrap_or(Value::Null) == follows).count()
     };
     assert_eq!((of("G4", json!("C7")), of("G4", json!("C1"))), (2, 2));
-    // The two squares are components of their own, and have no handle.
+    // The two squares are separate components without a handle.
     assert_eq!((of("T3", json!("G4")), of("T3", json!("C7"))), (1, 0));
 }
 
-/// Two lakes in one parcel, of a mean width of 2 and 10, and a strip of 0.25 between two parcels.
+/// Two lakes with mean widths of 2 and 10 in one parcel, and a strip of 0.25 between two parcels.
 const LAKES: &str =
     "POLYGON((0 0,100 0,100 40,0 40,0 0),(10 10,14 10,14 14,10 14,10 10),(50 10,70 10,70 30,50 30,50 10))
 POLYGON((100.25 0,120 0,120 40,100.25 40,100.25 0))
@@ -411,7 +411,7 @@ fn a_map_with_accepted_lakes_is_valid() {
         (status, count("gaps"), count("near_misses"), count("wider_gaps"), count("accepted_gaps"))
     };
     assert_eq!(judged(&[]), (Some(1), 2, 0, 0, 0));
-    // By width, apart from that of near misses.
+    // By width, separately from near misses.
     assert_eq!(judged(&["--lake-width", "5"]), (Some(1), 1, 0, 1, 0));
     assert_eq!(judged(&["--lake-width", "1", "--gap-width", "0.1"]), (Some(0), 0, 0, 2, 0));
     assert_eq!(judged(&["--lake-width", "1", "--gap-width", "0.3"]), (Some(1), 0, 1, 2, 0));
@@ -458,7 +458,7 @@ fn what_snapping_removes_or_makes_is_reported() {
     let snapping: Vec<(&Value, &Value)> = findings.iter().map(|one| (&one["rule"], &one["snapping"])).collect();
     let removed = json!("removed");
     assert_eq!(snapping, [(&json!("C1"), &removed), (&json!("C3"), &removed)]);
-    // The mouth of a bay between two parcels closes on a coarse grid: a gap is made.
+    // On a coarse grid, the mouth of a bay between two parcels closes and creates a gap.
     let bay = "POLYGON ((0 0, 10 0, 10 4, 4 4, 4 8, 6.9 8, 6.9 10, 0 10, 0 0))\n\
                POLYGON ((10 0, 20 0, 20 10, 7.1 10, 7.1 8, 10 8, 10 4, 10 0))\n";
     let (_, found) = audited(&["--snap", "1"], bay);

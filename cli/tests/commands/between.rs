@@ -5,12 +5,12 @@ use serde_json::{Value, json};
 use std::fs;
 use tempfile::TempDir;
 
-/// Least x, least y, greatest x, greatest y.
+/// A rectangle by least x, least y, greatest x, greatest y.
 fn rectangle([x0, y0, x1, y1]: [f64; 4]) -> Value {
     json!({"type": "Polygon", "coordinates": [[[x0, y0], [x1, y0], [x1, y1], [x0, y1], [x0, y0]]]})
 }
 
-/// Writes a layer of features, each with a name, the value of the column STATE, and a geometry.
+/// Writes a layer whose features have a name, a value in the column STATE, and a geometry.
 fn layer(folder: &TempDir, name: &str, features: &[(&str, Value, Value)]) -> String {
     let feature = |(name, state, geometry): &(&str, Value, Value)| json!({"type": "Feature", "properties": {"name": name, "STATE": state}, "geometry": geometry});
     let layer = json!({"type": "FeatureCollection", "features": features.iter().map(feature).collect::<Vec<_>>()});
@@ -19,13 +19,13 @@ fn layer(folder: &TempDir, name: &str, features: &[(&str, Value, Value)]) -> Str
     path.to_str().unwrap().to_owned()
 }
 
-/// Two states side by side, of 20 by 20, with the value of the column in them.
+/// Two adjacent states of 20 by 20, named in the column STATE.
 fn states(folder: &TempDir) -> String {
     let of = |name: &'static str, x: f64| (name, json!(name), rectangle([x, 0.0, x + 20.0, 20.0]));
     layer(folder, "states.geojson", &[of("Iowa", 100.0), of("Ohio", 120.0)])
 }
 
-/// Two counties in each state. Cedar is as wide as is said, and names this state.
+/// Two counties in each state. Cedar has this width and names this state.
 fn counties(folder: &TempDir, name: &str, width: f64, state: &str) -> String {
     let of = |name: &'static str, state: &str, x: f64, width: f64| {
         (name, json!(state), rectangle([x, 0.0, x + width, 20.0]))
@@ -86,7 +86,7 @@ fn each_deviation_is_found_with_the_features_of_both_layers_in_all_formats() {
     assert_eq!(found(&unknown)[1], ["X4", "unknown_parent", "Cedar", ""]);
     assert!(unknown["findings"][1]["message"].as_str().unwrap().starts_with("its parent Utah is not known"));
 
-    // It ends before the border of the state.
+    // This county ends before the border of the state.
     let narrow = counties(&folder, "narrow.geojson", 9.0, "Iowa");
     let (_, report) = audited(&narrow, &options);
     let rules: Vec<String> = found(&report).into_iter().map(|[rule, kind, ..]| format!("{rule} {kind}")).collect();
@@ -148,7 +148,7 @@ fn the_layer_by_which_another_one_is_judged_is_known_by_its_bytes() {
     let folder = TempDir::new().unwrap();
     let (states, counties) = (states(&folder), counties(&folder, "counties.geojson", 10.0, "Iowa"));
     let (_, report) = audited(&counties, &["--against", &states]);
-    // The same file, judged by itself.
+    // The file judged by itself.
     let (_, alone) = audited(&states, &[]);
     assert_eq!(report["judged_by"], alone["judged"]);
     assert_ne!(report["judged_by"], report["judged"]);
@@ -202,7 +202,7 @@ fn lines_and_points_are_judged_by_the_areas_of_the_other_layer() {
     assert_eq!((&last["rule"], &last["length"], &last["at"]), (&json!("X5"), &json!(3.0), &json!([120.0, -1.5])));
 }
 
-/// A part without area lies outside of nothing, and has a place all the same.
+/// A part without area lies outside of nothing, but has a place.
 #[test]
 fn a_point_whose_parent_is_not_known_has_its_place() {
     let folder = TempDir::new().unwrap();
@@ -214,7 +214,7 @@ fn a_point_whose_parent_is_not_known_has_its_place() {
     assert_eq!((&one["kind"], &one["at"], one.get("area")), (&json!("unknown_parent"), &json!([105.0, 10.0]), None));
 }
 
-/// Borders that are one within a cell are one for both layers.
+/// Borders that coincide within a cell coincide for both layers.
 #[test]
 fn snapping_applies_to_both_layers() {
     let folder = TempDir::new().unwrap();

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 #[path = "../../../formats/tests/layer/pbf.rs"]
 mod pbf;
 
-/// Two squares side by side.
+/// Two adjacent squares.
 fn squares() -> File {
     let mut file = File::default();
     for (id, x, y) in [(1, 0, 0), (2, 1, 0), (3, 1, 1), (4, 0, 1), (5, 2, 0), (6, 2, 1)] {
@@ -47,7 +47,7 @@ fn relations_and_the_coverage_that_they_make_are_judged() {
     assert_eq!(of_coverage[0]["rule"], json!("C5"), "{of_coverage}");
 }
 
-/// A layer without any polygon would be refused; the reason is a finding.
+/// A layer without polygons would be refused; here, the reason is a finding.
 #[test]
 fn relations_without_any_ring_are_invalid() {
     let mut file = squares();

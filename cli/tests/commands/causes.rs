@@ -1,4 +1,4 @@
-//! Layers with planted faults: as many causes are counted as there are faults.
+//! Layers with planted faults: the number of causes equals the number of faults.
 
 use crate::support::{json, twinedge};
 use serde_json::{Value, json as value};
@@ -7,13 +7,12 @@ use tempfile::TempDir;
 
 type Ring = Vec<[f64; 2]>;
 
-/// The corner of a grid of parcels, 100 by 80, in the coordinates of a national grid. No side is parallel to an axis.
+/// A corner of a grid of parcels, 100 by 80, in the coordinates of a national grid. No side is parallel to an axis.
 fn corner(column: usize, row: usize) -> [f64; 2] {
     let (x, y) = (column as f64, row as f64);
     [2_683_000.0 + 100.0 * x + 7.0 * (y % 3.0), 1_247_000.0 + 80.0 * y + 5.0 * (x % 2.0)]
 }
 
-/// The parcels by column and row.
 fn parcels() -> Vec<([usize; 2], Ring)> {
     let around =
         |[c, r]: [usize; 2]| [[c, r], [c + 1, r], [c + 1, r + 1], [c, r + 1]].map(|[c, r]| corner(c, r)).to_vec();
@@ -26,7 +25,7 @@ fn ring(parcels: &mut [([usize; 2], Ring)], place: [usize; 2]) -> &mut Ring {
     &mut found.expect("it is on the grid").1
 }
 
-/// A fault, by its rule, and what plants it.
+/// A fault: its rule, and a function that plants it.
 type Fault = (&'static str, fn(&mut Vec<([usize; 2], Ring)>));
 
 const FAULTS: [Fault; 5] = [
@@ -49,7 +48,7 @@ const FAULTS: [Fault; 5] = [
     }),
 ];
 
-/// A Shapefile with these faults.
+/// A Shapefile of the parcels with these faults.
 fn planted(folder: &TempDir, faults: &[Fault]) -> String {
     let mut all = parcels();
     for (_, plant) in faults {
@@ -156,7 +155,7 @@ fn an_accepted_place_in_which_there_is_no_gap_is_a_warning() {
     assert_eq!(found["warnings"], value!(["there is no gap at the accepted place (2683050, 1247040)"]));
 }
 
-/// Accepts all findings of a layer, and judges another one by that list; without `--coverage`, so that the structure alone counts.
+/// Accepts all findings of one layer, and judges another layer by that list. Without `--coverage`, only the structure counts.
 fn judged_by_the_list_of(before: &str, after: &str) -> (Option<i32>, Value) {
     let folder = TempDir::new().unwrap();
     let [file, list] = ["layer.wkt", "accepted.json"].map(|name| folder.path().join(name).to_str().unwrap().to_owned());

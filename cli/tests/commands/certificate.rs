@@ -1,4 +1,4 @@
-//! `twinedge certify` and `twinedge check`, beside the checker that is proved in Coq where that is built.
+//! `twinedge certify` and `twinedge check`, compared with the checker that is proved in Coq if that is built.
 
 use crate::postgis::{TOWN, broken as broken_town};
 use crate::support::{complaint, scratch_folder, twinedge, twinedge_reading};
@@ -14,7 +14,7 @@ fn parcels() -> String {
     format!("{}/../docs/parcels.geojson", env!("CARGO_MANIFEST_DIR"))
 }
 
-/// A certificate of the parcels, with their drawing or without.
+/// A certificate of the parcels, with or without their drawing.
 fn certified(name: &str, more: &[&str]) -> PathBuf {
     let folder = scratch_folder(name);
     let output = twinedge(&[&["certify", &parcels(), "--snap", "auto", "-o", folder.to_str().unwrap()], more].concat());
@@ -22,30 +22,30 @@ fn certified(name: &str, more: &[&str]) -> PathBuf {
     folder
 }
 
-/// The exit status of `check` and what it prints.
+/// Returns the exit status and the output of `check`.
 fn check(folder: &Path) -> (Option<i32>, String) {
     let output = twinedge(&["check", folder.to_str().unwrap()]);
     (output.status.code(), String::from_utf8(output.stdout).unwrap())
 }
 
-/// The same of Coq's checker; `None` if it is not built.
+/// Returns the exit status and the output of Coq's checker; `None` if it is not built.
 fn proved(folder: &Path) -> Option<(Option<i32>, String)> {
     let checker = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../proofs/coq/certified"));
     let output = Command::new(checker).arg(folder).output().ok()?;
     (output.status.code() != Some(3)).then(|| (output.status.code(), String::from_utf8(output.stdout).unwrap()))
 }
 
-/// The tests that a line begins with.
+/// Returns the tests named at the beginnings of lines.
 fn failed_tests(printed: &str) -> BTreeSet<&str> {
     printed.lines().skip(1).map(|line| line.split(':').next().unwrap()).collect()
 }
 
-/// Both checkers say the same. Returns the exit status.
+/// Asserts that both checkers agree. Returns the exit status.
 fn agreed(folder: &Path, what: &str) -> Option<i32> {
     let (status, printed) = check(folder);
     if let Some((proved_status, proved_printed)) = proved(folder) {
         assert_eq!(status, proved_status, "{what}\n{printed}\n{proved_printed}");
-        // The component of a half-edge that is not there is nil for the one, and 0 for the other; other tests find that as well.
+        // The component of a missing half-edge is nil for one checker and 0 for the other; other tests fail for it as well.
         let (ours, theirs) = (failed_tests(&printed), failed_tests(&proved_printed));
         assert!(theirs.is_subset(&ours), "{what}\n{printed}\n{proved_printed}");
         if status == Some(0) {
@@ -63,7 +63,7 @@ fn a_map_is_certified_and_checked() {
     let claim = fs::read_to_string(folder.join("claim.txt")).unwrap();
     assert!(claim.starts_with("twinedge certificate 1\ndrawing\n"), "{claim}");
     assert_eq!(fs::read_dir(&folder).unwrap().count(), 1 + 15 + 9 + 2);
-    // The same folder once more, without coordinates.
+    // The folder once more, without coordinates.
     let name = folder.to_str().unwrap();
     let output = twinedge(&["certify", &parcels(), "--topology-only", "-o", name]);
     assert_eq!(output.status.code(), Some(0));
@@ -71,7 +71,7 @@ fn a_map_is_certified_and_checked() {
     assert_eq!(agreed(&folder, "right, without coordinates"), Some(0));
 }
 
-/// Each number of a few in each column is set to others. Returns how often both checkers said 0, 1 and 2.
+/// Changes some numbers in each column. Returns the counts of the exit statuses 0, 1 and 2 on which both checkers agree.
 fn corrupted(folder: &Path) -> [usize; 3] {
     let mut files: Vec<PathBuf> = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
     files.sort();
@@ -101,7 +101,7 @@ fn corruptions_are_judged_as_by_the_proved_checker() {
     assert!(valid > 10 && invalid > 140 && unreadable > 2, "{statuses:?}");
 }
 
-/// A torus of nine vertices, of which some triangles are left out, and a tetrahedron beside it.
+/// A torus of nine vertices without some of its triangles, and a separate tetrahedron.
 fn torus_and_tetrahedron(left_out: &[usize]) -> String {
     let at = |x: usize, y: usize| x % 3 + 3 * (y % 3);
     let corners = (0..9).map(|i| (i / 3, i % 3)).map(|(x, y)| [at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)]);
@@ -112,7 +112,6 @@ fn torus_and_tetrahedron(left_out: &[usize]) -> String {
     points.chain(all.map(|[a, b, c]| format!("f {} {} {}\n", a + 1, b + 1, c + 1))).collect()
 }
 
-/// A certificate of this mesh in OBJ.
 fn certified_mesh(name: &str, mesh: &str, more: &[&str]) -> PathBuf {
     let folder = scratch_folder(name);
     let arguments = [&["certify", "-", "-o", folder.to_str().unwrap()], more].concat();
@@ -152,7 +151,7 @@ fn corruptions_of_surfaces_are_judged_as_by_the_proved_checker() {
     }
 }
 
-/// A border that meets itself at a vertex, and a face that is flipped: no certificate, and the fault is named.
+/// A border that meets itself at a vertex, and a flipped face: there is no certificate, and the fault is named.
 #[test]
 fn what_is_no_surface_is_not_certified() {
     let folder = scratch_folder("no-surface");
@@ -223,7 +222,7 @@ fn the_test_and_the_record_are_named() {
     assert!(printed.starts_with("not valid\nnext_ok: 2 of the half-edges, the first is 3\n"), "{printed}");
 }
 
-/// One page of each column is in memory at one time.
+/// One page of each column is in memory at a time.
 #[test]
 fn with_little_memory_a_certificate_is_judged_the_same() {
     let folder = scratch_folder("paged");
@@ -238,7 +237,7 @@ fn with_little_memory_a_certificate_is_judged_the_same() {
     let columns = ["half_edge_next.u32", "half_edge_rank.u32", "dart_twin.u32", "dart_rank.u32", "dart_point.u32"];
     for file in columns.map(|name| folder.join(name)) {
         let right = fs::read(&file).unwrap();
-        // More than one page.
+        // The file has more than one page.
         assert!(right.len() > 2 * 4 * 4096, "{}", file.display());
         let place = right.len() / 8 * 7 / 8 * 8;
         let mut wrong = right.clone();
@@ -256,7 +255,7 @@ fn with_little_memory_a_certificate_is_judged_the_same() {
     }
 }
 
-/// A folder can be opened as a file, and cannot be read.
+/// A folder can be opened as a file, but not read.
 #[cfg(target_os = "linux")]
 #[test]
 fn what_cannot_be_read_while_it_is_checked_gives_no_verdict() {
@@ -300,18 +299,18 @@ fn what_is_unreadable_is_said_in_one_line() {
 fn what_is_not_valid_is_not_certified() {
     let folder = scratch_folder("not-certified");
     let name = folder.to_str().unwrap();
-    // Coordinates in decimals are on no grid.
+    // Decimal coordinates lie on no grid.
     let output = twinedge(&["certify", &parcels(), "-o", name]);
     assert_eq!(output.status.code(), Some(2));
     let said = complaint(&output);
     assert!(said.contains("on no grid") && said.contains("--snap auto") && !said.contains("audit"), "{said}");
     let crossing = format!("{}/../tests/data/world-110m-crossing.geojson", env!("CARGO_MANIFEST_DIR"));
-    // Edges that cross make a handle of the countries around them.
+    // Crossing edges make a handle of the countries around them.
     let output = twinedge(&["certify", &crossing, "--topology-only", "-o", name]);
     assert_eq!(output.status.code(), Some(1));
     let printed = String::from_utf8(output.stdout).unwrap();
     assert!(printed.contains(": not valid, nothing is written\neuler_ok\nT3: "), "{printed}");
-    // A vertex that is said to have another half-edge.
+    // A vertex with another vertex's half-edge as `leaving`.
     let table = b"V 2 0 - 0 - H 2 0 1 1 1 0 1 0 0 0 0 B 1 0 h0 i0 F 1 - 1 0 = V1";
     let output = twinedge_reading(&["certify", "--table", "-", "-o", name], table);
     assert_eq!(output.status.code(), Some(1));
@@ -319,7 +318,7 @@ fn what_is_not_valid_is_not_certified() {
     assert_eq!(fs::read_dir(&folder).unwrap().count(), 0);
 }
 
-/// The tests that fail are all named, with their numbers of records.
+/// All failing tests are named, with the numbers of their records.
 #[test]
 fn a_table_is_refused_with_every_test_that_fails() {
     let folder = scratch_folder("refused-table");
@@ -340,7 +339,7 @@ fn a_table_is_refused_with_every_test_that_fails() {
     }
 }
 
-/// Two squares side by side, as a textbook has them; the third half-edge from `face` on names that face.
+/// Two adjacent squares in a textbook's tables; e3,1, the third half-edge of face f2, names `face`.
 fn two_squares(face: &str) -> String {
     let half_edges = [
         "e1,1 v1 e1,2 f2 e2,1 e4,2",
@@ -368,7 +367,7 @@ fn two_squares(face: &str) -> String {
     tables.map(|(head, rows)| format!("{head}\n{rows}\n\n")).concat()
 }
 
-/// The names by which half-edges and faces name each other are in no column of a certificate.
+/// The names by which half-edges and faces refer to each other are in no column of a certificate.
 #[test]
 fn nothing_is_certified_that_the_audit_calls_invalid() {
     let folder = scratch_folder("wrong-names");
@@ -394,7 +393,7 @@ fn nothing_is_certified_that_the_audit_calls_invalid() {
     assert_eq!(agreed(&folder, "two squares"), Some(0));
 }
 
-/// Four half-edges around a vertex that are their own twins: the sums are those of a torus.
+/// Four half-edges around a vertex, each its own twin: the counts are as for a torus.
 #[test]
 fn half_edges_that_are_their_own_twins_are_no_handle() {
     let folder = scratch_folder("own-twins");
@@ -423,7 +422,7 @@ fn half_edges_that_are_their_own_twins_are_no_handle() {
     assert_eq!(agreed(&folder, "own twins"), Some(1));
 }
 
-/// In a mirrored drawing every triangle is turned over, the outer one, too; where all points lie on a line, every one is flat.
+/// A mirrored drawing reverses every triangle, including the outer one; if all points lie on a line, every triangle is flat.
 #[test]
 fn every_triangle_of_a_mirrored_or_flat_drawing_is_wrong() {
     let folder = certified("mirrored", &[]);
@@ -449,7 +448,7 @@ fn a_table_is_certified() {
     assert_eq!(fs::read(folder.join("half_edge_next.u32")).unwrap(), [1, 0, 0, 0, 0, 0, 0, 0]);
 }
 
-/// A table in Parquet: its columns, each with whether it may have NULL and its values; and its metadata.
+/// The columns of a table in Parquet: the name, whether it is nullable, and the values.
 type Columns = Vec<(String, bool, Vec<Option<i64>>)>;
 
 fn parquet_table(folder: &Path, name: &str) -> (Columns, Vec<(String, String)>) {
@@ -474,7 +473,6 @@ fn parquet_table(folder: &Path, name: &str) -> (Columns, Vec<(String, String)>) 
     (columns, notes)
 }
 
-/// A column of the folder, as a table has it.
 fn folder_column(folder: &Path, name: &str) -> Vec<Option<i64>> {
     let bytes = fs::read(folder.join(name).with_extension("u32")).unwrap();
     let numbers = bytes.as_chunks().0.iter().map(|number| u32::from_le_bytes(*number));
@@ -520,11 +518,11 @@ fn no_row_is_lost_where_a_table_has_several_row_groups() {
             assert!(*values == rows, "{table}.{name}");
         }
     }
-    // As many as the map has, of the 131,072 that a group holds.
+    // All half-edges of the map; a group holds 131,072.
     assert_eq!(parquet_table(&folder, "half_edges").0[0].2.len(), 2 * 75_863);
 }
 
-/// The hash is that of `sha256sum`.
+/// The expected hash is the output of `sha256sum`.
 #[test]
 fn a_certificate_says_of_what_file_it_is() {
     let folder = scratch_folder("of-file");
@@ -547,7 +545,7 @@ fn a_certificate_says_of_what_file_it_is() {
     for table in ["half_edges", "vertices", "boundaries", "faces", "entries"] {
         assert_eq!(parquet_table(&folder, table).1, notes, "{table}");
     }
-    // Standard input cannot be read twice.
+    // Standard input can only be read once.
     let table = fs::read(input).unwrap();
     twinedge_reading(&["certify", "--table", "-", "-o", name], &table);
     assert!(!fs::read_to_string(folder.join("claim.txt")).unwrap().contains("sha256"));
@@ -569,12 +567,12 @@ fn a_folder_with_other_files_is_not_written_to() {
     let folder = scratch_folder("other-files");
     fs::write(folder.join("letter.txt"), "dear").unwrap();
     refused(&folder, "letter.txt is no file of a certificate");
-    // With a certificate beside it, too.
+    // The folder also contains a certificate.
     fs::remove_file(folder.join("letter.txt")).unwrap();
     assert_eq!(written(&folder).status.code(), Some(0));
     fs::write(folder.join("letter.txt"), "dear").unwrap();
     refused(&folder, "letter.txt is no file of a certificate");
-    // The names alone make no certificate.
+    // The names alone do not make a certificate.
     let folder = scratch_folder("other-query");
     fs::write(folder.join("check.sql"), "SELECT 1").unwrap();
     refused(&folder, "no certificate");
@@ -582,7 +580,7 @@ fn a_folder_with_other_files_is_not_written_to() {
     refused(&folder, "no certificate");
 }
 
-/// Tables of the certificate before would be judged by whoever runs the queries that are left.
+/// Remaining queries would judge tables of the previous certificate.
 #[test]
 fn no_file_of_the_certificate_before_stays() {
     let folder = certified("replaced", &["--sql", "postgres"]);
@@ -600,7 +598,7 @@ fn no_file_of_the_certificate_before_stays() {
     assert_eq!(again(&[]).len(), 1 + 15);
 }
 
-/// A folder that was not written to the end has no claim yet: it is unreadable, and can be written to once more.
+/// An incomplete folder has no claim yet: it is unreadable, and can be written again.
 #[test]
 fn an_unfinished_certificate_is_replaced() {
     let folder = certified("unfinished", &[]);

@@ -1,11 +1,11 @@
-//! `clean --tiles` and `clean --memory`: the same output and report as without, what is left, and what is refused.
+//! `clean --tiles` and `clean --memory`: the same output and report as without tiles, the remaining findings, and refused options.
 
 use crate::support::{complaint, json as run_json, scratch_folder, twinedge};
 use serde_json::{Value, json};
 use std::fs;
 use std::path::Path;
 
-/// Rows of squares of 10, one of which reaches half a unit into its right neighbour, far from a slit between two others, as a collection with a box.
+/// Rows of squares of 10, in a collection with a box. One square reaches half a unit into its right neighbour, far from a slit between two others.
 fn squares(folder: &Path) -> (String, String) {
     let square = |i: usize| {
         let (x, y) = ((i % 8) as f64 * 10.0, (i / 8) as f64 * 10.0);
@@ -77,7 +77,7 @@ fn a_neighbourhood_that_does_not_fit_stays_as_it_is_and_is_said() {
         .iter()
         .map(|one| (&one["features"][0]["number"], &one["vertices"]))
         .collect();
-    // The squares that meet the box around those with something wrong between them: 16 each.
+    // The squares that meet the box around the faulty ones: 16 for each fault.
     assert_eq!(left, [(&json!(1), &json!(80)), (&json!(44), &json!(80))]);
     let findings = report["left"]["findings"].as_array().unwrap();
     let rules: Vec<&Value> = findings.iter().map(|one| &one["rule"]).collect();

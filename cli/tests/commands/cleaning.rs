@@ -1,12 +1,11 @@
-//! `clean`: where gaps go, the width that is chosen, and patches that take it back.
+//! `clean`: the receiver of gaps, the chosen width, and patches that undo it.
 
 use crate::support::{complaint, json as run_json, scratch_folder, twinedge, twinedge_reading};
 use serde_json::{Value, json};
 use std::fs;
 use std::path::Path;
 
-/// Four parcels around a crack of 0.02 by 10 and a fifth, far away, with numbers and spaces as no program writes them. The fourth reaches into the
-/// first.
+/// Four parcels around a crack of 0.02 by 10, and a fifth far away, with unusual numbers and spaces. The fourth parcel reaches into the first.
 const PARCELS: &str = r#"{"type": "FeatureCollection", "features": [
  {"type": "Feature", "id": "A-1", "properties": {"use": "field", "lot": 1.0}, "geometry": {"type":"Polygon", "coordinates": [[[0,0.0],[10,0],[10,10],[0,10],[0,0.0]]]}},
  {"type": "Feature", "id": "A-2", "properties": {"use": "road"}, "geometry": {"type":"Polygon", "coordinates": [[[10.02,0],[20,0],[20,10],[10.02,10],[10.02,0]]]}},
@@ -43,7 +42,7 @@ fn a_patch_says_what_changed_and_gives_the_bytes_of_the_input_back() {
     assert!(report.contains("feature 5: area 0.0000 → 0.2000, points 0 → 5; gap filled; made for gaps\n"), "{report}");
     assert!(report.contains(&format!("what takes it back is in {patch}\n")), "{report}");
 
-    // The features that were right are the same to the byte.
+    // Valid features are equal byte by byte.
     let text = fs::read_to_string(&clean).unwrap();
     for line in PARCELS.lines().filter(|line| ["A-2", "A-3", "A-4", "A-5"].iter().any(|id| line.contains(id))) {
         assert!(text.contains(line.trim_end_matches(',')), "{line}");
@@ -63,7 +62,7 @@ fn a_patch_says_what_changed_and_gives_the_bytes_of_the_input_back() {
     let output = twinedge_reading(&["clean", "--undo", &patch, "-", "-o", "-"], text.as_bytes());
     assert_eq!(String::from_utf8(output.stdout).unwrap(), PARCELS);
 
-    // Another file, and another patch, give nothing back.
+    // Another file or another patch is refused.
     fs::write(&clean, text.replace("A-5", "A-6")).unwrap();
     fs::remove_file(&back).unwrap();
     let refused = complaint(&twinedge(&["clean", "--undo", &patch, &clean, "-o", &back]));
@@ -103,7 +102,7 @@ fn where_nothing_is_wrong_the_output_is_the_input() {
     assert_eq!((String::from_utf8(output.stdout).unwrap(), output.status.code()), (right, Some(0)));
 }
 
-/// An object that is a feature has no room for a second one.
+/// An object that is a single feature has no room for a second one.
 #[test]
 fn a_text_that_has_no_room_is_written_anew_and_comes_back() {
     let folder = scratch_folder("patch_of_all");

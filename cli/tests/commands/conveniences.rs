@@ -6,7 +6,7 @@ fn text(bytes: &[u8]) -> String {
     String::from_utf8(bytes.to_vec()).unwrap()
 }
 
-/// The map that is built in.
+/// The built-in map.
 fn built_in() -> String {
     format!("{}/data/world-110m.geojson", env!("CARGO_MANIFEST_DIR"))
 }

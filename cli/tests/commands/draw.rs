@@ -3,7 +3,7 @@
 use crate::support::{complaint, data, twinedge};
 use std::path::PathBuf;
 
-/// A file of this test that is gone afterwards.
+/// A file of this test, deleted on drop.
 struct Scratch(PathBuf);
 
 impl Scratch {
@@ -29,7 +29,7 @@ fn the_built_in_map_is_drawn_to_a_file_and_to_standard_output() {
     assert_eq!((output.status.code(), output.stdout.len(), output.stderr.len()), (Some(0), 0, 0));
     let picture = std::fs::read_to_string(&file.0).unwrap();
     assert!(picture.starts_with("<svg ") && picture.ends_with("</svg>\n"));
-    // Every bounded face, and the two that are claimed twice once more.
+    // Every bounded face, and once more the two that are claimed twice.
     assert_eq!((picture.matches("fill-rule").count(), picture.matches("class=\"hatch\"").count()), (287 + 2, 2));
     assert!(picture.contains(">Brazil</text>") && picture.contains("<title>f2: Fiji</title>"));
     for arguments in [&["draw"][..], &["draw", "-o", "-"]] {
@@ -42,7 +42,7 @@ fn crossings_are_marked() {
     let output = twinedge(&["draw", &data("world-110m-crossing.geojson")]);
     assert_eq!(output.status.code(), Some(1));
     let picture = String::from_utf8(output.stdout).unwrap();
-    // Each row of the legend has the whole sentence, and what fits of it.
+    // Each row of the legend has the whole sentence, and the part of it that fits.
     assert_eq!(picture.matches("  G4 half-edges ").count(), 4);
     assert_eq!(picture.matches("<text class=\"legend\"").count(), 3);
     assert_eq!(picture.matches("<circle class=\"bad\"").count(), 3);
@@ -87,6 +87,6 @@ fn a_window_outside_the_map_is_refused() {
     assert_eq!(output.status.code(), Some(2));
     let words = complaint(&output);
     assert!(words.contains("--window lies outside the map, which spans (-181.27441274412743, "), "{words}");
-    // Inside one country no edge is seen, but the country is.
+    // No edge is visible inside one country, but the country is.
     assert_eq!(twinedge(&["draw", "--window", "28.2", "-29.6", "28.3", "-29.5"]).status.code(), Some(0));
 }

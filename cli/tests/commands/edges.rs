@@ -7,7 +7,7 @@ use tempfile::TempDir;
 
 type Ring<'a> = &'a [[f64; 2]];
 
-/// Writes a layer of polygons of one ring each, with what it says of edges.
+/// Writes a layer of polygons of one ring each, with a declaration of their edges.
 fn layer(folder: &TempDir, name: &str, rings: &[Ring<'_>], edges: Option<&str>) -> String {
     let feature = |(number, ring): (usize, &Ring<'_>)| {
         let closed: Vec<_> = ring.iter().chain(ring.first()).collect();
@@ -32,14 +32,14 @@ fn violations<'a>(report: &'a Value, key: &str) -> Vec<&'a str> {
     report["violations"].as_array().unwrap().iter().map(|one| one[key].as_str().unwrap_or_default()).collect()
 }
 
-/// Rule and features of the findings of the coverage.
+/// The rules and features of the coverage's findings.
 fn found(report: &Value) -> Vec<(String, Vec<String>)> {
     let ids = |one: &Value| one.as_array().unwrap().iter().map(|one| one["id"].as_str().unwrap().to_owned()).collect();
     let of = |one: &Value| (one["rule"].as_str().unwrap().to_owned(), ids(&one["features"]));
     report["coverage"]["findings"].as_array().unwrap().iter().map(of).collect()
 }
 
-/// On the map it ends at 50 degrees; on the globe its northern border bulges to 67.2 degrees.
+/// On the map, its northern border lies at 50 degrees; on the globe, it bulges to 67.2 degrees.
 const LONG: Ring<'_> =
     &[[-60.0, 30.0], [-30.0, 30.0], [0.0, 30.0], [30.0, 30.0], [60.0, 30.0], [60.0, 50.0], [-60.0, 50.0]];
 const BESIDE: Ring<'_> = &[[-5.0, 60.0], [5.0, 60.0], [5.0, 72.0], [-5.0, 72.0]];
@@ -63,7 +63,7 @@ fn borders_that_cross_on_the_globe_only_are_found() {
     assert_eq!((&report["coverage"]["unit"], &report["coverage"]["ogc_invalid"]), (&json!("metres"), &Value::Null));
     assert_eq!((&report["edges"]["kind"], &report["options"]["edges"]), (&json!("great circles"), &json!("geodesic")));
     assert_eq!(report["first"]["rule"], json!("C1"));
-    // The structure is that of the edges as they are cut.
+    // The structure has the edges after cutting.
     assert_eq!([&report["counts"]["vertices"], &report["counts"]["edges"]], [13, 15]);
     for rule in report["rules"].as_array().unwrap() {
         assert_eq!(rule["violations"].as_u64().unwrap() > 0, rule["id"] == "G4", "{rule}");
@@ -121,7 +121,7 @@ fn all_forms_of_a_report_have_great_circles() {
     let (_, points) = run(&["audit", &file, "--edges", "geodesic", "--format", "geojson"]);
     let overlap = &points["features"][0];
     assert_eq!((&overlap["properties"]["rule"], &overlap["geometry"]["type"]), (&json!("C1"), &json!("Polygon")));
-    // The arc is drawn as it bulges.
+    // The drawn arc is curved.
     let ring = overlap["geometry"]["coordinates"][0].as_array().unwrap();
     let top = ring.iter().map(|at| at[1].as_f64().unwrap()).fold(0.0, f64::max);
     assert!(ring.len() > 20 && (67.2..67.3).contains(&top), "{top}");
@@ -166,7 +166,7 @@ fn a_file_that_says_that_its_edges_are_spherical_is_judged_so() {
         assert!(said.contains("edges are spherical by the file, and straight in tiles: --edges straight"), "{said}");
         assert!(twinedge(&[arguments, &["--edges", "straight"]].concat()).status.success(), "{arguments:?}");
     }
-    // A warning is given where another format says so, and where straight edges are asked for.
+    // Another format that declares geodesic edges gets a warning, and so do requested straight edges.
     for (file, options) in [
         (&*spherical, &[][..]),
         (&*spherical, &["--tiles", "2"]),

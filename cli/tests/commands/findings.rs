@@ -1,4 +1,4 @@
-//! `twinedge audit --format geojson` and where reports are written.
+//! `twinedge audit --format geojson`, and the destination of reports.
 
 use crate::support::{complaint, data, scratch_folder, twinedge, twinedge_reading};
 use serde_json::{Value, json};
@@ -13,14 +13,14 @@ fn features(layer: &Value) -> &Vec<Value> {
     layer["features"].as_array().unwrap()
 }
 
-/// The positions of a list, each two numbers, at least so many.
+/// Returns the positions of a list, which must be at least `least` pairs of numbers.
 fn positions(list: &Value, least: usize) -> Vec<[f64; 2]> {
     let list: Vec<[f64; 2]> = serde_json::from_value(list.clone()).unwrap();
     assert!(list.len() >= least && list.iter().flatten().all(|x| x.is_finite()), "{list:?}");
     list
 }
 
-/// RFC 7946, 3.1.6: closed, four positions or more; the outer ring counter-clockwise, holes clockwise.
+/// RFC 7946, 3.1.6: closed, at least four positions; the outer ring counter-clockwise, holes clockwise.
 fn check_polygon(rings: &Value) {
     for (n, ring) in rings.as_array().unwrap().iter().enumerate() {
         let ring = positions(ring, 4);
@@ -32,7 +32,7 @@ fn check_polygon(rings: &Value) {
     }
 }
 
-/// The demands of RFC 7946 on a collection, and the columns that all features have.
+/// Checks the requirements of RFC 7946 on a collection, and the columns that all features share.
 fn check_layer(layer: &Value) {
     assert_eq!(layer["type"], "FeatureCollection");
     let mut columns: Option<Vec<String>> = None;
@@ -63,7 +63,7 @@ fn kinds(layer: &Value) -> Vec<[&str; 2]> {
         .collect()
 }
 
-/// Two squares side by side.
+/// Two adjacent squares.
 const SQUARES: &str = r#"{"type":"FeatureCollection","features":[
 {"type":"Feature","properties":{"name":"a"},"geometry":{"type":"Polygon","coordinates":[[[0,0],[4,0],[4,4],[0,4],[0,0]]]}},
 {"type":"Feature","properties":{"name":"b"},"geometry":{"type":"Polygon","coordinates":[[[4,0],[8,0],[8,4],[4,4],[4,0]]]}}]}"#;
@@ -84,7 +84,7 @@ fn violations_and_findings_are_points_lines_and_polygons() {
     check_layer(&found);
     let expected = [
         ["C2", "Polygon"],
-        // The defects of Sudan are two, those of North Korea one.
+        // Sudan has two defects, North Korea one.
         ["C6", "MultiPoint"],
         ["C6", "Point"],
         ["C1", "Polygon"],
@@ -93,7 +93,7 @@ fn violations_and_findings_are_points_lines_and_polygons() {
         ["C4", "Polygon"],
         ["G4", "MultiLineString"],
         ["G4", "MultiLineString"],
-        // The component, a corner of which is not at fault.
+        // The component; its corner is not at fault.
         ["T3", "none"],
     ];
     assert_eq!(kinds(&found), expected);
@@ -137,7 +137,7 @@ fn a_reference_system_of_the_input_is_that_of_the_layer() {
     assert_eq!(found["crs"]["properties"]["name"], "urn:ogc:def:crs:EPSG::2056");
 }
 
-/// A triangle of which e1,1 has another face's half-edge as its next.
+/// A triangle in which the next of e1,1 is another face's half-edge.
 const BROKEN: &str = "v1 (0, 0) e1,1\nv2 (4, 0) e2,1\nv3 (0, 4) e3,1\nf1 nil e1,2\nf2 e1,1 nil
 e1,1 v1 e1,2 f2 e2,2 e3,1\ne1,2 v2 e1,1 f1 e3,2 e2,2\ne2,1 v2 e2,2 f2 e3,1 e1,1
 e2,2 v3 e2,1 f1 e1,2 e3,2\ne3,1 v3 e3,2 f2 e1,1 e2,1\ne3,2 v1 e3,1 f1 e2,2 e1,2\n";
@@ -181,7 +181,7 @@ fn the_extension_of_the_output_says_the_format() {
     let said = String::from_utf8(output.stdout).unwrap();
     assert!(said.ends_with(&format!("0 findings written to {}\n", path.display())), "{said}");
     assert!(std::fs::read_to_string(&path).unwrap().starts_with("{\"type\""));
-    // The input stays as it is.
+    // The input stays unchanged.
     let output = twinedge(&["audit", input, "-o", input]);
     assert_eq!(output.status.code(), Some(2));
     assert!(complaint(&output).contains("this is the input"));
@@ -202,11 +202,11 @@ fn what_has_no_place_in_the_plane_is_refused() {
     }
 }
 
-/// The data of a page.
+/// Returns the data of a page.
 fn page(arguments: &[&str], input: &[u8]) -> (Option<i32>, Value) {
     let output = twinedge_reading(&[&["audit", "--format", "html"], arguments].concat(), input);
     let page = String::from_utf8(output.stdout).unwrap();
-    // Nothing to load, no mark left, and no element of the input.
+    // Nothing to load, no placeholder left, and no element from the input.
     for foreign in ["http:", "https:", " src=", "@import", "url(", "{data}", "{script}", "{style}", "alert(1)</script>"]
     {
         assert!(!page.contains(foreign), "{foreign}");
@@ -224,10 +224,10 @@ fn a_page_has_the_map_and_what_was_found() {
     assert_eq!(status, Some(1));
     assert_eq!((&found["tone"], found["findings"].as_array().unwrap().len()), (&json!("bad"), 10));
     assert_eq!(found["map"]["edges"], json!([7651, 7651]));
-    // The map is not plane: the faces are those of the map with its borders cut, which has two crossings more.
+    // The map is not plane: the page fills the faces of the map with its borders cut, at two further crossings.
     assert_eq!(found["map"]["areas"]["edges"], json!([7655, 7655]));
     assert_eq!(found["features"].as_array().unwrap().len(), 177);
-    // Consequences stand behind their cause.
+    // Consequences follow their cause.
     let rules: Vec<&str> =
         found["findings"].as_array().unwrap().iter().map(|one| one["rule"].as_str().unwrap()).collect();
     assert_eq!(rules, ["C2", "C6", "C1", "C1", "C4", "C4", "G4", "G4", "T3", "C6"]);
@@ -251,7 +251,7 @@ fn a_page_has_the_map_and_what_was_found() {
 
 #[test]
 fn a_page_has_the_mesh_and_what_was_found() {
-    // A tetrahedron without its last face, seen along y, in which it extends least.
+    // A tetrahedron without its last face, seen along y, the axis of its smallest extent.
     let open = b"OFF\n4 3 0\n0 0 0\n4 0 0\n1 1 0\n0 0 3\n3 0 2 1\n3 0 1 3\n3 1 2 3\n";
     let (status, found) = page(&["-", "--closed"], open);
     assert_eq!((status, &found["map"]["edges"]), (Some(1), &json!([6, 6])));

@@ -1,10 +1,10 @@
-//! `twinedge fuzz-template`. That its project is built and finds a bug is tested by `fuzz/tests/template.rs`.
+//! `twinedge fuzz-template`. `fuzz/tests/template.rs` tests that its project builds and finds a bug.
 
 use crate::support::twinedge;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// A folder of this test's own, with a package in it.
+/// A folder of this test, with a package in it.
 fn package(name: &str, manifest: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
     let _ = fs::remove_dir_all(&folder);

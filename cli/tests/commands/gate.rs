@@ -7,7 +7,8 @@ use std::fs;
 use std::path::Path;
 use tempfile::TempDir;
 
-/// A field with a lake of this width, if it has one, and a height of 4, one that overlaps it by 1, and one apart, in this order. Returns the path of the file.
+/// Writes three fields in this order: one with a height of 4 and perhaps a lake of this width, one that overlaps it by 1, and a separate one. Returns
+/// the path of the file.
 fn layer(folder: &TempDir, name: &str, lake: u32, order: [usize; 3]) -> String {
     let square = |x0: u32, y0: u32, x1: u32, y1: u32| [[x0, y0], [x1, y0], [x1, y1], [x0, y1], [x0, y0]];
     let feature = |id: &str, rings: Value| json!({"type": "Feature", "id": id, "properties": {}, "geometry": {"type": "Polygon", "coordinates": rings}});
@@ -23,7 +24,7 @@ fn layer(folder: &TempDir, name: &str, lake: u32, order: [usize; 3]) -> String {
     path.to_str().unwrap().to_owned()
 }
 
-/// Arguments that judge a coverage: borders are cut, so that overlaps do not break G4.
+/// Arguments for judging a coverage. Borders are cut, so that overlaps do not break G4.
 const JUDGED: [&str; 6] = ["--snap", "auto", "--coverage", "--format", "json", "--quiet"];
 
 fn audited(layer: &str, options: &[&str]) -> (Option<i32>, Value) {
@@ -34,7 +35,7 @@ fn read(path: &str) -> Value {
     serde_json::from_str(&fs::read_to_string(path).unwrap()).unwrap()
 }
 
-/// The rules of the listed findings that were accepted, or were not.
+/// The rules of the listed findings that are accepted, or not accepted.
 fn rules(found: &Value, accepted: bool) -> Vec<&str> {
     let all = found["coverage"]["findings"].as_array().unwrap().iter();
     all.filter(|one| one.get("accepted").is_some() == accepted).map(|one| one["rule"].as_str().unwrap()).collect()
@@ -53,14 +54,14 @@ fn what_was_accepted_breaks_nothing_until_it_grows() {
     assert_eq!((&lake["rule"], &lake["features"], &lake["area"]), (&json!("C2"), &json!(["field"]), &json!(16.0)));
     assert_eq!((&lake["reason"], lake["date"].as_str().unwrap().len()), (&json!("a lake, and a quarrel"), 10));
 
-    // In another order of the features.
+    // The features in another order.
     let again = layer(&folder, "again.geojson", 4, [2, 1, 0]);
     let (status, found) = audited(&again, &["--accept", &list]);
     assert_eq!((status, &found["verdict"], rules(&found, true)), (Some(0), &json!("valid"), vec!["C1", "C2"]));
     assert_eq!(found["accepted"], json!({"count": 2, "grown": [], "gone": []}));
     assert_eq!(found["coverage"]["findings"][1]["accepted"], "a lake, and a quarrel");
 
-    // The lake has grown, and then is no more.
+    // The lake has grown, and then vanishes.
     let june = layer(&folder, "june.geojson", 5, [0, 1, 2]);
     let (status, found) = audited(&june, &["--accept", &list]);
     assert_eq!((status, rules(&found, true), rules(&found, false)), (Some(1), vec!["C1"], vec!["C2"]));
@@ -69,7 +70,7 @@ fn what_was_accepted_breaks_nothing_until_it_grows() {
     let dry = layer(&folder, "dry.geojson", 0, [0, 1, 2]);
     let (_, found) = audited(&dry, &["--accept", &list]);
     assert_eq!((&found["accepted"]["count"], &found["accepted"]["gone"]), (&json!(1), &json!([lake["id"]])));
-    // One that has shrunk is accepted, and what is accepted again keeps its reason, unless it grew.
+    // A finding that has shrunk is accepted. A finding that is accepted again keeps its reason, unless it grew.
     let small = layer(&folder, "small.geojson", 3, [0, 1, 2]);
     assert_eq!(audited(&small, &["--accept", &list]).0, Some(0));
     audited(&june, &["--accept", &list, "--accept-all", &list, "--reason", "it has grown"]);
@@ -89,13 +90,13 @@ fn what_follows_from_accepted_findings_is_accepted_with_them() {
     assert_eq!(found["headline"], "valid (2 accepted): all else that was checked holds");
     let clashes: Vec<&Value> = found["violations"].as_array().unwrap().iter().map(|one| &one["accepted"]).collect();
     assert_eq!(clashes, vec!["accepted as it is"; clashes.len()]);
-    // Without one of both, the clashes may follow from the other.
+    // Without one of the two entries, the clashes may follow from that finding.
     let mut lists = read(&list);
     lists["accepted"].as_array_mut().unwrap().remove(0);
     fs::write(&list, lists.to_string()).unwrap();
     let (status, found) = run(&["audit", &file, "--format", "json", "--accept", &list]);
     assert_eq!((status, &found["verdict"]), (Some(1), &json!("invalid")));
-    // All that counts is a cause, or follows from one that is told.
+    // Everything that counts is a cause, or follows from a reported cause.
     assert!(found["causes"].as_u64() > Some(0) && found["first"]["id"].is_string(), "{found}");
     let told = |id: &Value| {
         let lists = [&found["violations"], &found["coverage"]["findings"]].map(|list| list.as_array().unwrap());
@@ -135,7 +136,6 @@ fn a_file_that_is_no_list_of_accepted_findings_is_refused() {
     }
 }
 
-/// Writes the report of a layer.
 fn report(folder: &TempDir, layer: &str, options: &[&str]) -> String {
     let path = Path::new(layer).with_extension("json").to_str().unwrap().to_owned();
     let output = twinedge(&[&["audit", layer, "-o", &path], &JUDGED[..], options].concat());
@@ -183,7 +183,7 @@ fn reports_that_do_not_say_all_are_not_compared() {
     }
 }
 
-/// The demands of the schema of SARIF 2.1.0 (OASIS, sections 3.13 to 3.54) on this output: required members, the names, the forms of values.
+/// The requirements of the schema of SARIF 2.1.0 (OASIS, sections 3.13 to 3.54) on this output: required members, names, and the forms of values.
 fn sarif_schema() -> Value {
     let message =
         json!({"type": "object", "required": ["text"], "properties": {"text": {"type": "string", "minLength": 1}}});
@@ -253,7 +253,7 @@ fn sarif_has_its_form_and_all_findings() {
     let cases = [
         (&["--snap", "auto", "--coverage", "--accept", &list][..], 2, "error"),
         (&["--coverage"], 8, "error"),
-        // Borders cross, which follows from it.
+        // The crossing of borders follows from the finding.
         (&[], 8, "error"),
     ];
     for (options, count, level) in cases {
@@ -295,12 +295,12 @@ fn junit_has_a_case_for_each_rule() {
     assert!(text.contains("/a&amp;b.geojson\" tests=\"26\""), "{text}");
     assert_eq!((text.matches("<testcase ").count(), text.matches("<failure ").count()), (26, 2));
     assert!(text.contains("name=\"C1 overlap\" time=\"0\"><failure type=\"violation\" message=\"C1-"), "{text}");
-    // An accepted finding is no failure.
+    // An accepted finding is not a failure.
     let list = folder.path().join("accepted.json").to_str().unwrap().to_owned();
     written(&["--snap", "auto", "--accept-all", &list]);
     let text = written(&["--snap", "auto", "--coverage", "--accept", &list]);
     assert_eq!((text.matches("<testcase ").count(), text.matches("<failure ").count()), (26, 0), "{text}");
-    // Without cuts G4 fails, and what needs it is skipped.
+    // Without cuts G4 fails, and the rules that need it are skipped.
     let text = written(&[]);
     let count = |what: &str| text.matches(what).count();
     assert_eq!((count("<testcase "), count("<failure "), count("<skipped ")), (19, 1, 2), "{text}");

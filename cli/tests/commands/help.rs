@@ -2,7 +2,7 @@
 
 use crate::support::twinedge;
 
-/// This command and all below it, as `--help` lists them.
+/// Returns this command and its subcommands, as listed by `--help`.
 fn commands(command: &[String]) -> Vec<Vec<String>> {
     let mut all = vec![command.to_vec()];
     let text = help(command);
@@ -48,7 +48,6 @@ fn options_say_what_they_do() {
         (&["corrupt"], "Work that is drawn at random needs --seed"),
         (&["corrupt"], "Print each table and the verdict of the validator"),
     ] {
-        // Lines are wrapped.
         let text = help(command).split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(text.contains(told), "{command:?}: {told}\n{text}");
     }

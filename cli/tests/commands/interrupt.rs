@@ -3,14 +3,14 @@
 use crate::support::{data, scratch_folder};
 use std::process::{Child, Command, Stdio};
 
-/// Returns true if the process handles SIGINT by itself.
+/// Returns true if the process handles SIGINT itself.
 fn is_ready(child: &Child) -> bool {
     let status = std::fs::read_to_string(format!("/proc/{}/status", child.id())).unwrap();
     let caught = status.lines().find_map(|line| line.strip_prefix("SigCgt:")).unwrap();
     u64::from_str_radix(caught.trim(), 16).unwrap() & 1 << 1 != 0
 }
 
-/// The output of the program when it is interrupted as soon as it can be.
+/// Returns the output of the program when interrupted as early as possible.
 fn interrupted(arguments: &[&str]) -> String {
     let mut child = Command::new(env!("CARGO_BIN_EXE_twinedge"))
         .args(arguments)
@@ -36,7 +36,7 @@ fn what_was_covered_is_printed() {
         &["corrupt", "--edges", "8", "--force"],
         &["tables", "--half-edges", "8", "--force"],
         &["soak", "--programs", "100000000", "--force"],
-        // One program alone is not waited for.
+        // A single program runs to its end.
         &["soak", "--programs", "1", "--steps", "1000000", "--force"],
     ] {
         let text = interrupted(arguments);
@@ -48,7 +48,7 @@ fn what_was_covered_is_printed() {
 fn maps_that_were_only_found_do_not_count_as_covered() {
     let text = interrupted(&["corrupt", "--edges", "8", "--force"]);
     assert!(
-        // Of one map or of several, as far as it came.
+        // The number of maps depends on the progress.
         text.lines().any(|line| line.starts_with("0 of ") && line.contains(" judged, made by slots")),
         "{text}"
     );
@@ -66,7 +66,7 @@ fn an_unfinished_proof_has_no_wrong_counts() {
 #[test]
 fn no_unfinished_files_are_left_behind() {
     let folder = scratch_folder("unfinished");
-    // Writing takes seconds, so that the signal comes in time on a busy machine, too.
+    // Writing takes seconds, so that the signal arrives in time even on a busy machine.
     let world: serde_json::Value =
         serde_json::from_str(&std::fs::read_to_string(data("world-50m.geojson")).unwrap()).unwrap();
     let lines: Vec<String> = world["features"].as_array().unwrap().iter().map(ToString::to_string).collect();
@@ -78,7 +78,7 @@ fn no_unfinished_files_are_left_behind() {
             .unwrap()
             .any(|entry| entry.unwrap().file_name().to_string_lossy().starts_with(".twinedge-"))
     };
-    // A program that was done before the signal came tells nothing.
+    // A program that ended before the signal proves nothing.
     let was_interrupted = (0..50).any(|_| {
         let mut child = Command::new(env!("CARGO_BIN_EXE_twinedge"))
             .arg("convert")

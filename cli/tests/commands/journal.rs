@@ -53,7 +53,7 @@ fn an_edit_that_is_not_done_is_told_and_the_others_are_done() {
     assert_eq!(replayed["steps"][1]["outcome"], "refused");
 }
 
-/// It was taken modulo the number of vertices, and numbers from 65,536 on were no vertices.
+/// Regression: the number was taken modulo the number of vertices, and numbers from 65,536 on were not vertices.
 #[test]
 fn a_number_past_the_last_is_told_and_does_not_begin_again() {
     let journal =

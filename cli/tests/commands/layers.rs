@@ -1,11 +1,11 @@
-//! `convert`, `clean`, and that outputs are written whole and never over the input.
+//! `convert` and `clean`; outputs are written completely and never over the input.
 
 use crate::support::{complaint, json as run_json, scratch_folder, twinedge, twinedge_reading};
 use serde_json::{Value, json};
 use std::fs;
 use std::path::Path;
 
-/// Three parcels: the second begins half a unit inside the first, and between both and the third there is a narrow gap.
+/// Three parcels: the second begins half a unit inside the first, and a narrow gap separates both from the third.
 const PARCELS: &str = r#"{"type":"FeatureCollection",
 "source":"survey",
 "features":[
@@ -47,7 +47,7 @@ fn an_auditor_finds_and_mends_what_is_wrong_with_a_shapefile() {
     let text = String::from_utf8(twinedge(&["convert", &clean, "-o", "-", "--to", "geojson"]).stdout).unwrap();
     assert!(text.contains(r#""owner":"Müller","since":null"#) && text.contains(r#""since":"2020-01-31""#), "{text}");
 
-    // Once more changes nothing.
+    // A second run changes nothing.
     assert_eq!(status(&["clean", &clean, "-o", &again, "--gap-width", "0.1"]), Some(0));
     for extension in ["shp", "shx", "dbf", "cpg"] {
         let [one, two] = [&clean, &again].map(|path| fs::read(Path::new(path).with_extension(extension)).unwrap());
@@ -108,7 +108,7 @@ fn ids_are_kept_in_a_column_where_there_is_no_room_for_them() {
 fn cleaning_refuses_what_cannot_be_written_before_it_works() {
     let folder = scratch_folder("refused_early");
     let input = in_folder(&folder, "far.geojson");
-    // Coordinates out of range would be found by cleaning.
+    // Cleaning would find the coordinates out of range.
     fs::write(&input, PARCELS.replace("[20,20]", "[1e300,20]")).unwrap();
     assert!(complaint(&twinedge(&["clean", &input, "--dry-run"])).contains("1e300"));
     let refused = complaint(&twinedge(&["clean", &input, "-o", &in_folder(&folder, "far.shp")]));
@@ -139,7 +139,7 @@ fn the_input_is_not_overwritten_by_any_path() {
         }
     }
     assert_eq!(fs::read_to_string(&input).unwrap(), PARCELS);
-    // Nor is a part of a Shapefile.
+    // Parts of a Shapefile are not overwritten either.
     let shp = in_folder(&folder, "a.shp");
     assert_eq!(status(&["convert", &input, "-o", &shp, "--lossy"]), Some(0));
     for part in ["a.shp", "a.dbf", "a.cpg"] {
@@ -193,7 +193,7 @@ fn every_command_reads_every_format() {
     assert!(String::from_utf8(named.stdout).unwrap().contains("Müller"));
 }
 
-/// Two unit squares side by side with a common arc, and a town.
+/// Two adjacent unit squares with a common arc, and a town.
 const TOPOLOGY: &str = r#"{"type": "Topology",
 "arcs": [[[1, 0], [1, 1]], [[1, 1], [0, 1], [0, 0], [1, 0]], [[1, 0], [2, 0], [2, 1], [1, 1]]],
 "objects": {
@@ -235,7 +235,7 @@ fn arcs_are_judged_as_they_are_shared() {
     };
     let (code, text) = arcs(TOPOLOGY, "text");
     assert!(code == Some(0) && text.contains("arcs of TopoJSON") && text.contains("A2  sides      ok"), "{text}");
-    // Both are the left one.
+    // Both are the left square.
     let wrong = TOPOLOGY.replace("[[2, -1]]", "[[0, 1]]");
     let (code, text) = arcs(&wrong, "json");
     let found: Value = serde_json::from_str(&text).unwrap();
@@ -261,13 +261,13 @@ fn members_of_geometries_survive_cleaning() {
     for feature in cleaned["features"].as_array().unwrap() {
         assert_eq!(feature["geometry"]["accuracy"], json!(0.1), "{feature}");
     }
-    // The box of a geometry that changed is that of what became of it.
+    // The box of a changed geometry is computed from the new geometry.
     assert_eq!(cleaned["features"][1]["geometry"]["bbox"][2], json!(20));
     let output = twinedge_reading(&["convert", "-", "-o", "-", "--to", "wkt"], text.as_bytes());
     assert!(complaint(&output).contains("foreign members (source, accuracy)"), "{}", complaint(&output));
 }
 
-/// Two parcels with a gap like a spindle between them, 10 wide in the middle.
+/// Two parcels with a spindle-shaped gap between them, 10 wide in the middle.
 const SPINDLE: &str =
     "POLYGON((0 -20,100 -20,100 0,90 0,50 -5,10 0,0 0,0 -20))\nPOLYGON((0 0,10 0,50 5,90 0,100 0,100 20,0 20,0 0))\n";
 
@@ -290,7 +290,7 @@ fn a_gap_that_is_too_wide_is_left_whole_and_said_so() {
     let (_, found) = run_json(&["audit", &input, "--gap-width", "1", "--format", "json"]);
     assert_eq!((&found["coverage"]["wider_gaps"], &found["coverage"]["near_misses"]), (&json!(1), &json!(0)));
 
-    // Without a width it is left, named, and the width that would take it is said: it does.
+    // Without a width the gap is left and named, together with the width that fills it.
     let left = text(&["clean", &input, "--dry-run"]);
     let width = left.split("--gap-width ").nth(1).and_then(|rest| rest.split(' ').next()).expect("a width").to_owned();
     assert!(left.contains("left: gap of feature 0, feature 1, area 400.0000"), "{left}");
@@ -372,7 +372,7 @@ fn an_extension_that_the_command_does_not_write_is_refused() {
             assert!(!Path::new(&output).exists());
         }
     }
-    // The extension says the format, and a file has no colours.
+    // The extension selects the format, and a file has no colours.
     let output = in_folder(&folder, "pieces.json");
     assert_eq!(status(&["decompose", "--snap", "auto", &input, "-o", &output]), Some(0));
     assert!(serde_json::from_str::<serde_json::Value>(&fs::read_to_string(&output).unwrap()).is_ok());
@@ -392,7 +392,7 @@ fn a_layer_that_is_not_there_is_refused() {
         let said = complaint(&twinedge(&[command, &[&input, "--layer", "roads"]].concat()));
         assert!(said.contains("there is no layer \"roads\""), "{command:?} {said}");
     }
-    // The one layer has the name of the file.
+    // The only layer has the name of the file.
     assert_ne!(status(&["audit", &input, "--layer", "parcels"]), Some(2));
     let file = |name: &str, content: &[u8]| {
         fs::write(folder.join(name), content).unwrap();
@@ -425,7 +425,7 @@ fn an_open_ring_is_invalid_and_convert_closes_it_and_says_so() {
     }
 }
 
-/// A hole touches the middle of a side of its shell, and a part the side of another one: valid for the OGC, GEOS and C6.
+/// A hole touches the middle of a side of its shell, and a part touches the side of another part: valid for the OGC, GEOS and C6.
 #[test]
 fn a_touch_that_the_ogc_allows_is_no_fault_and_clean_leaves_it() {
     let text = "POLYGON((0 0,10 0,10 10,0 10,0 0),(0 5,3 4,3 6,0 5))\n\
@@ -436,7 +436,7 @@ MULTIPOLYGON(((20 0,30 0,30 10,20 10,20 0)),((30 5,33 4,33 6,30 5)))\n";
     for tiles in [&[][..], &["--tiles", "2"]] {
         let (code, found) = run_json(&[&["audit", "--format", "json", &path], tiles].concat());
         assert_eq!((code, &found["valid"]), (Some(0), &json!(true)), "{found}");
-        // The holes are gaps, which is not what this is about.
+        // The holes are gaps, which this test ignores.
         let coverage = &found["coverage"];
         assert_eq!((&coverage["ogc_invalid"], &coverage["mismatches"]), (&json!(0), &json!(0)));
     }
@@ -444,7 +444,7 @@ MULTIPOLYGON(((20 0,30 0,30 10,20 10,20 0)),((30 5,33 4,33 6,30 5)))\n";
     assert_eq!(fs::read_to_string(&clean).unwrap(), text);
 }
 
-/// Two parcels in the Swiss reference system, in millimetres: none of the coordinates is a double on a grid of powers of two.
+/// Two parcels in the Swiss reference system, in millimetres: no coordinate is a double on a grid of powers of two.
 #[test]
 fn a_layer_in_millimetres_is_on_a_grid_of_millimetres() {
     let text = "POLYGON((2600000.123 1200000.001,2600010.457 1200000.333,2600010.999 1200010.777,2600000.123 1200000.001))\n\

@@ -109,7 +109,7 @@ fn lattice_points_are_counted() {
     assert!(complaint(&output).contains("(2, 9.5) is not a lattice point"));
 }
 
-/// Five places; the last two are the same.
+/// Five places; the last two are equal.
 const PLACES: &str = r#"{"type": "FeatureCollection", "features": [
     {"type": "Feature", "properties": {"name": "A", "beds": 3}, "geometry": {"type": "Point", "coordinates": [0, 0]}},
     {"type": "Feature", "properties": {"name": "B"}, "geometry": {"type": "Point", "coordinates": [4, 0, 17]}},
@@ -153,7 +153,7 @@ fn points_have_cells() {
 
 #[test]
 fn points_that_are_too_close_share_a_cell_on_request() {
-    // Four numbers next to each other: no three numbers lie between them.
+    // Four adjacent doubles: no three numbers lie between them.
     let text = "POINT(5 0)\nPOINT(1 0)\nPOINT(1.0000000000000002 0)\nPOINT(1.0000000000000004 0)\nPOINT(1.0000000000000007 0)\n";
     let refused = twinedge_reading(&["voronoi", "-"], text.as_bytes());
     assert_eq!(refused.status.code(), Some(2));

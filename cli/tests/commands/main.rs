@@ -1,4 +1,4 @@
-//! The output of the commands, their exit status, and how they end.
+//! The output of the commands, their exit status, and the way they end.
 
 mod support;
 

@@ -7,7 +7,7 @@ use std::fs;
 const CUBE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n\
     f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
 
-/// A file of this name with this content, in a folder of the test's own.
+/// Writes a file in a folder of this test. Returns its path.
 fn file(name: &str, content: &str) -> String {
     let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR"));
     let path = folder.join(name);
@@ -41,7 +41,7 @@ fn what_is_expected_and_not_found_is_named() {
     assert_eq!(broken, [("M3", 5), ("M4", 4)]);
     let first = &found["violations"][0];
     assert_eq!((&first["rule"], &first["message"]), (&"M3".into(), &"face 1 has 4 sides, where 3 are expected".into()));
-    // Every option asks for the rule of its name.
+    // Every option selects the rule of its name.
     let options = ["--borders", "2", "--genus", "1", "--components", "2", "--sides", "5", "--no-unused-vertices"];
     let arguments = [&["audit", path.as_str(), "--format", "json", "--explain"][..], &options].concat();
     let (_, found) = json(&arguments);
@@ -88,7 +88,7 @@ fn expectations_of_meshes_are_refused_for_maps() {
     assert!(words.contains("no mesh file"), "{words}");
 }
 
-/// A cube with one face the wrong way round.
+/// A cube with one flipped face.
 fn flipped(name: &str) -> String {
     file(name, &CUBE.replace("f 5 6 7 8", "f 8 7 6 5"))
 }
@@ -120,7 +120,7 @@ fn messages_about_obj_count_from_1_as_the_file_does() {
     ] {
         assert!(text.lines().any(|line| line == told), "{text}");
     }
-    // Numbers beside the messages count from 0.
+    // The numbers in the JSON count from 0, unlike the messages.
     let (_, found) = json(&["audit", "--format", "json", &path]);
     let first = &found["findings"][0];
     assert_eq!((&found["messages_count_from"], &first["faces"][0]), (&1.into(), &1.into()));
@@ -197,7 +197,7 @@ fn options_that_do_not_apply_are_not_passed_over() {
 
 #[test]
 fn the_places_of_points_are_judged_if_asked_for() {
-    // The first face turned round: all others as they are.
+    // A corner of the cube is pulled below its bottom.
     let folded = file("folded.obj", &CUBE.replace("v 1 1 1\n", "v 0.5 0.5 -1\n"));
     let asked = ["--no-zero-area", "--no-crossings", "--outward"];
     let (status, found) = json(&["audit", &folded, "--format", "json"]);
@@ -212,7 +212,7 @@ fn the_places_of_points_are_judged_if_asked_for() {
     assert_eq!((status, broken), (Some(1), vec!["M10"]));
     assert_eq!((&found["verdict"], &found["findings"][0]["rule"]), (&"invalid".into(), &"M10".into()));
     assert_eq!(found["options"]["space"], serde_json::json!(["M9", "M10", "M11"]));
-    // A face that is not convex is not judged, and nothing else is wrong: that is not known to be valid.
+    // A face that is not convex is not judged. Nothing else is found, so the verdict is not `valid`.
     let notched = file("notched.obj", "v 0 0 0\nv 4 -4 0\nv 1 0 0\nv 4 4 0\nf 1 2 3 4\n");
     let (status, found) = json(&["audit", &notched, "--no-crossings", "--format", "json"]);
     assert_eq!((status, &found["verdict"]), (Some(1), &"unknown".into()), "{found}");

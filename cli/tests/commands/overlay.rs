@@ -28,7 +28,7 @@ fn layers(folder: &TempDir) -> [String; 2] {
     [write("first.geojson", first), write("second.geojson", vec![feature(json!(7), "zone", [2.0, 0.0, 4.0, 1.0])])]
 }
 
-/// Id and name in the first layer, and in the second; the area by the shoelace formula.
+/// Returns the id and the name in the first and in the second layer, and the area by the shoelace formula.
 fn pieces(text: &[u8]) -> Vec<(Value, f64)> {
     let layer: Value = serde_json::from_slice(text).unwrap();
     let area = |ring: &Value| {

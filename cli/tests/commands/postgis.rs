@@ -1,17 +1,17 @@
-//! `twinedge postgis`, and `twinedge audit` of what `psql` writes then.
+//! `twinedge postgis`, and `twinedge audit` of the output of `psql`.
 
 use crate::support::{complaint, json, scratch_folder, twinedge, twinedge_reading};
 
 pub(crate) const TOWN: &[u8] = include_bytes!("../../../formats/tests/postgis/data/town.copy");
 
-/// The town of which edge 1 has another `next_left_edge`.
+/// The town with a wrong `next_left_edge` of edge 1.
 pub(crate) fn broken() -> Vec<u8> {
     let mut bytes = TOWN.to_vec();
     // The ids of edge 1: itself, its nodes, and its next edges 3 and −6.
     let row: Vec<u8> =
         [1, 1, 2, 3, 3, -6, 6, 2, 0].iter().flat_map(|id: &i32| [4_i32, *id]).flat_map(i32::to_be_bytes).collect();
     let at = bytes.windows(row.len()).position(|window| window == row).expect("edge 1 is there");
-    // Two values of eight bytes before it, each with its length.
+    // Two values of eight bytes precede it, each with its length.
     for column in [3, 4] {
         bytes[at + 8 * column + 7] = 99;
     }
@@ -79,7 +79,7 @@ fn a_layer_of_findings_has_records_and_lines_and_warns_of_its_coordinates() {
     assert_eq!(found["properties"]["records"], serde_json::json!(["edge +1"]));
     assert_eq!(found["geometry"]["type"], "LineString");
     assert!(found["geometry"]["coordinates"].as_array().unwrap().len() >= 2);
-    // Nothing of it is beyond the poles.
+    // No coordinate is beyond the poles.
     assert_eq!(String::from_utf8_lossy(&output.stderr), "");
 
     let folder = scratch_folder("projected");

@@ -4,7 +4,7 @@ use crate::support::{complaint, json as json_of, twinedge, twinedge_reading};
 use serde_json::{Value, json};
 use twinedge::validate::Table;
 
-/// The lines that a command prints, and its summary.
+/// Returns the lines printed by a command, and its summary.
 fn printed(arguments: &[&str]) -> (Vec<String>, String) {
     let output = twinedge(arguments);
     assert_eq!(output.status.code(), Some(0), "{arguments:?}");

@@ -51,12 +51,11 @@ fn small_triangulated_discs_are_as_many_as_published_and_operators_do_what_the_s
     let names = ["mesh_flip_edge", "mesh_split_edge", "mesh_split_face", "mesh_collapse_edge", "connect", "flip_edge"];
     assert!(names.into_iter().all(|name| applied(name) > 0), "{found}");
 
-    // The structure with a planted fault.
     let output = twinedge(&["prove", "--meshes", "4", "--on", "planted"]);
     assert_eq!(output.status.code(), Some(1));
     let text = String::from_utf8(output.stdout).unwrap();
     assert!(text.contains("not as defined") && text.contains("flip_edge h"), "{text}");
-    // Both kinds of work at once, and more than there is time for.
+    // Both kinds of work at once, and more work than there is time for.
     for arguments in
         [&["prove", "--meshes", "4", "--edges", "2"][..], &["prove", "--meshes", "2"], &["prove", "--meshes", "9"]]
     {

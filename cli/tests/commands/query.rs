@@ -8,7 +8,7 @@ fn names(found: &Value) -> BTreeSet<&str> {
     found.as_array().unwrap().iter().map(|one| one["name"].as_str().unwrap()).collect()
 }
 
-/// Two squares side by side, of which the second claims a quarter of the first, and one that touches the first at a corner.
+/// Two adjacent squares, and a square that touches the first at a corner. The second claims a quarter of the first.
 const SQUARES: &[u8] = br#"{"type": "FeatureCollection", "features": [
     {"type": "Feature", "properties": {"name": "West"}, "geometry":
         {"type": "Polygon", "coordinates": [[[0, 0], [3, 0], [4, 0], [4, 4], [3, 4], [0, 4], [0, 0]]]}},
@@ -45,7 +45,7 @@ fn switzerland_has_four_neighbours_in_the_built_in_map() {
 fn neighbours_tell_borders_corners_and_overlaps_apart() {
     let found = ask(&["query", "-", "neighbours", "West", "--format", "json"]);
     assert_eq!(found["input"], "standard input");
-    // The end of West, beyond which there is East; not the end of East inside West.
+    // The end of West, with East beyond it; not the end of East inside West.
     let expected = json!([{"name": "East", "id": 1, "length": 4.0, "borders": [[[4.0, 0.0], [4.0, 4.0]]]}]);
     assert_eq!(found["neighbours"], expected);
     assert_eq!(found["touching"], json!([{"name": "Corner", "id": 2}]));
@@ -156,7 +156,7 @@ fn features_without_names_are_asked_for_by_number() {
     assert_eq!(twinedge_reading(&["query", "-", "neighbours", "#0"], nameless).status.code(), Some(0));
 }
 
-/// The answer at a point of the built-in map.
+/// Returns the answer at a point of the built-in map.
 fn at(x: &str, y: &str) -> Value {
     let (status, answer) = run(&["query", "at", x, y, "--format", "json"]);
     assert_eq!(status, Some(0));
@@ -178,7 +178,7 @@ fn points_lie_in_the_countries_where_they_should() {
     }
 }
 
-/// Two squares side by side; the right one is claimed by two.
+/// Two adjacent squares; two features claim the right one.
 const CLAIMS: &[u8] = br#"{"type": "FeatureCollection", "features": [
     {"type": "Feature", "properties": {"name": "A"}, "geometry":
         {"type": "Polygon", "coordinates": [[[0, 0], [2, 0], [2, 2], [0, 2], [0, 0]]]}},
@@ -197,7 +197,7 @@ fn points_on_edges_and_vertices_and_in_overlaps_are_told_apart() {
     let said = |x, y| {
         let (status, said) = ask_of_claims(&["at", x, y]);
         assert_eq!(status, Some(0));
-        // Numbers of records are nobody's business here.
+        // Drops the numbers of records, which are internal.
         said.split(' ')
             .filter(|word| !word.starts_with(['f', 'h', 'v']) || word.len() > 3)
             .collect::<Vec<_>>()
@@ -279,7 +279,7 @@ fn a_number_without_feature_is_told_how_many_there_are() {
     assert!(words.contains("no feature has the number #99; there are 2 features, counted from #0"), "{words}");
 }
 
-/// Three fields with ids and owners; the first and the second overlap along nine tenths of their border of 10.
+/// Three fields with ids and owners. The first and the second overlap along nine tenths of their border of 10.
 const OWNED: &[u8] = br#"{"type": "FeatureCollection", "features": [
     {"type": "Feature", "id": 7, "properties": {"name": "Field", "owner": "Meier", "label": "north"}, "geometry":
         {"type": "Polygon", "coordinates": [[[0, 0], [10, 0], [10, 1], [10, 10], [0, 10], [0, 0]]]}},
@@ -350,7 +350,7 @@ fn the_coverage_is_a_table() {
     assert!(rows[1].starts_with("C1,overlap,7;8,2.25,"), "{}", rows[1]);
     let (_, none) = ask_owned(&["coverage", "--rule", "C5", "--format", "json"]);
     assert_eq!(serde_json::from_str::<Value>(&none).unwrap()["coverage"]["findings"], json!([]));
-    // A map that is not plane has a coverage, too.
+    // A map that is not plane has a coverage as well.
     let (status, found) = run(&["query", &data("world-110m-crossing.geojson"), "coverage", "--format", "json"]);
     assert_eq!((status, &found["coverage"]["overlaps"]), (Some(0), &json!(2)));
 }

@@ -1,4 +1,4 @@
-//! The commands in the READMEs print what stands there, and the picture that one of them makes is current.
+//! The commands in the READMEs print the shown output, and the picture made by one of them is current.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -10,13 +10,13 @@ fn root() -> PathBuf {
 /// The program, as a block calls it.
 const COMMANDS: [&str; 2] = ["$ twinedge ", "$ cargo run -- "];
 
-/// A command, and the lines below it.
+/// A command, and the lines of its output.
 struct Sample {
     arguments: Vec<String>,
     output: Vec<String>,
 }
 
-/// The commands `twinedge …` in the blocks of this text that begin with `console`, also as they are called from a clone.
+/// Returns the commands `twinedge …`, or their form in a clone, in the `console` blocks of a text.
 fn samples(text: &str) -> Vec<Sample> {
     let mut samples: Vec<Sample> = Vec::new();
     let mut inside = false;
@@ -24,7 +24,7 @@ fn samples(text: &str) -> Vec<Sample> {
         if line.starts_with("```") {
             inside = line == "```console";
         } else if !inside || line == "$ cargo test" {
-            // No command of the program.
+            // This line is not a command of the program.
         } else if let Some(command) = COMMANDS.iter().find_map(|command| line.strip_prefix(command)) {
             let arguments = command.split_whitespace().map(str::to_owned).collect();
             samples.push(Sample { arguments, output: Vec::new() });
@@ -35,7 +35,7 @@ fn samples(text: &str) -> Vec<Sample> {
     samples
 }
 
-/// Without blank lines at the end, and with every time replaced by the same.
+/// Removes blank lines at the end, and replaces every time by a constant.
 fn normal(lines: impl IntoIterator<Item = String>) -> Vec<String> {
     let untimed = |line: String| match line.rsplit_once(" (") {
         Some((before, time)) if time.ends_with(" ms)") || time.ends_with(" s)") => format!("{before} (some time)"),
@@ -48,7 +48,7 @@ fn normal(lines: impl IntoIterator<Item = String>) -> Vec<String> {
     lines
 }
 
-/// `…` stands for any lines, and at the end of a line for any rest of it.
+/// Compares lines: `…` stands for any lines, and at the end of a line for any rest of it.
 fn matches(expected: &[String], found: &[String]) -> bool {
     let Some((line, rest)) = expected.split_first() else { return found.is_empty() };
     if line.trim() == "…" {

@@ -1,11 +1,11 @@
-//! Reports of the library, and the JSON of `twinedge audit`, have the form of `docs/report.schema.json`.
+//! Reports of the library, and the JSON of `twinedge audit`, conform to `docs/report.schema.json`.
 
 use crate::support::{data, scratch_folder, twinedge};
 use boon::{Compiler, Schemas};
 use serde_json::{Value, json, to_value};
 use twinedge::validate::{Collect, Expectation, Table, validate};
 
-/// The fault in the form of a document.
+/// Returns the first violation of the schema.
 fn complaint(document: &Value) -> Option<String> {
     let (mut schemas, mut compiler) = (Schemas::new(), Compiler::new());
     let path = format!("{}/../docs/report.schema.json", env!("CARGO_MANIFEST_DIR"));
@@ -31,12 +31,12 @@ fn reports_of_the_library_have_the_form() {
     assert!(valid > 0 && broken > 4, "{valid} {broken}");
 }
 
-/// All zeros with a sign in a text of JSON.
+/// Counts zeros with a sign in JSON text.
 fn negative_zeros(text: &str) -> usize {
     text.split([' ', ',', '[', ']', '\n']).filter(|word| ["-0", "-0.0"].contains(word)).count()
 }
 
-/// Each kind of input in each format: the form of JSON, and that all formats tell the same findings.
+/// Every kind of input in every format: the form of the JSON, and equal findings in all formats.
 #[test]
 fn all_formats_of_all_audits_have_what_the_page_promises() {
     let folder = scratch_folder("schema");
@@ -50,7 +50,7 @@ fn all_formats_of_all_audits_have_what_the_page_promises() {
     let mut arcs: Value = serde_json::from_str(&topojson).unwrap();
     arcs["objects"]["countries"]["geometries"][0]["arcs"][0][0][0] = json!(36);
     let mut town = std::fs::read(format!("{root}/formats/tests/postgis/data/town.copy")).unwrap();
-    // The first `mbr`: a box with 93 bytes, of which one is of the last ordinate.
+    // The first `mbr`: a box of 93 bytes, one of which belongs to the last ordinate.
     let at = town.windows(4).position(|bytes| bytes == [0, 0, 0, 93]).expect("a box");
     town[at + 93] ^= 1;
     let signed = "LINESTRING (-0.0 0, 2 2)\nLINESTRING (0 2, 2 -0.0)\nLINESTRING (-0.0 0, 0 0, -1 -1)\n";
@@ -93,7 +93,7 @@ fn all_formats_of_all_audits_have_what_the_page_promises() {
             messages.sort();
             messages
         };
-        // That something follows from something else is in the layer and in the page only.
+        // Only the layer and the page show that a finding follows from another one.
         let message = |one: &Value| {
             let words = one["sentence"].as_str().or(one["message"].as_str()).unwrap();
             words.split(", which follows").next().unwrap().to_owned()
@@ -115,7 +115,7 @@ fn all_formats_of_all_audits_have_what_the_page_promises() {
     }
 }
 
-/// The form is one that something can fail.
+/// The schema rejects something.
 #[test]
 fn other_documents_do_not_have_the_form() {
     let table: Table = "V 1 0 - H 1 0 0 0 0 0 B 1 0 h0 i0 F 1 - 1 0".parse().unwrap();

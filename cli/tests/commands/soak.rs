@@ -4,14 +4,14 @@ use crate::support::{complaint, json, twinedge, twinedge_reading};
 use std::path::PathBuf;
 use twinedge::program::Program;
 
-/// A file in the directory for tests, and its name.
+/// Returns a path in the directory for tests, also as text.
 fn scratch(name: &str) -> (PathBuf, String) {
     let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
     let name = path.to_str().unwrap().to_owned();
     (path, name)
 }
 
-/// The same, and there is no such file.
+/// Like `scratch`, and deletes the file.
 fn fresh(name: &str) -> (PathBuf, String) {
     let (path, name) = scratch(name);
     let _ = std::fs::remove_file(&path);
@@ -29,11 +29,11 @@ fn all_stores_stay_in_step() {
     for row in rows {
         let steps = ["applied", "refused", "skipped", "no_room"].map(|key| count(row, key)).iter().sum::<u64>();
         assert_eq!((count(row, "programs"), steps), (60, 60 * 60));
-        // Refusals and steps without room are tried on purpose, and are the smaller part.
+        // Programs try refusals and full stores on purpose; they are the smaller part.
         assert!(count(row, "applied") > 1000 && count(row, "refused") > 300, "{row}");
         assert!(row["on"] == "limited" || count(row, "no_room") == 0, "{row}");
     }
-    // The same seed gives the same programs.
+    // Equal seeds produce equal programs.
     let (_, again) = json(&["soak", "--programs", "60", "--steps", "60", "--seed", "1", "--format", "json"]);
     assert_eq!(found["structures"], again["structures"]);
 }
@@ -58,11 +58,11 @@ fn a_planted_bug_is_found_made_small_saved_and_replayed() {
     assert_eq!(output.status.code(), Some(1));
     let text = String::from_utf8(output.stdout).unwrap();
     assert!(text.contains("planted differs") && text.contains("#[test]"), "{text}");
-    // The test is one that compiles: the structure with the bug is private.
+    // The printed test must compile: the structure with the bug is private.
     assert!(text.contains("use twinedge::dcel::Dcel;") && !text.contains("Planted"), "{text}");
     assert!(text.contains(&format!("twinedge replay {name}")), "{text}");
 
-    // As small as it can be: the bug takes an edge that separates two faces, with more on both sides.
+    // A minimal program: the bug needs an edge that separates two faces, with more edges on both sides.
     let saved = std::fs::read_to_string(&path).unwrap();
     let program: Program = saved.parse().unwrap();
     assert!(program.0.len() <= 6, "{saved}");
@@ -74,7 +74,7 @@ fn a_planted_bug_is_found_made_small_saved_and_replayed() {
     assert!(replayed["difference"].as_str().unwrap().contains("flip_edge"));
     let steps = replayed["steps"].as_array().unwrap();
     assert_eq!(steps.len(), program.0.len());
-    // The bug keeps every rule: only the reference can tell.
+    // The bug keeps every rule: only the reference reveals it.
     assert!(steps.iter().all(|step| step["valid"] == true));
 
     let (status, replayed) = json(&["replay", &name, "--on", "limited", "--format", "json"]);
@@ -96,7 +96,7 @@ fn a_replay_shows_the_structure_after_each_step() {
         "  f1  outer nil  inner [b1]",
         "3. remove_edge !h0: skipped: nothing to choose from",
         "in step: slots did as the reference does",
-        // The records that the names of the program chose.
+        // The records chosen by the names in the program.
         "   records: in f1",
         "   records: v1 to v1",
     ] {
@@ -123,7 +123,7 @@ fn misuse_has_its_own_status() {
     assert_eq!(output.status.code(), Some(2));
     let complained = complaint(&output);
     assert!(complained.contains("steps") && complained.contains("--force"), "{complained}");
-    // One program may be too much as well: it takes longer than in proportion to its steps.
+    // One program can be too much as well: the time grows faster than the number of steps.
     for steps in ["59000", "100000"] {
         let output = twinedge(&["soak", "--programs", "1", "--steps", steps, "--threads", "2"]);
         assert_eq!(output.status.code(), Some(2));

@@ -4,7 +4,7 @@ use crate::support::{complaint, json, scratch_folder, twinedge};
 use serde_json::Value;
 use std::path::PathBuf;
 
-/// Writes the JSON of each part to a file of its own. Returns their names, the last part first.
+/// Writes the JSON of each part to a file. Returns the file names, the last part first.
 fn parts(folder: &str, arguments: &[&str], count: u32) -> Vec<String> {
     let folder = scratch_folder(folder);
     let part = |index| {
@@ -27,7 +27,7 @@ fn sum(files: &[String], more: &[&str]) -> std::process::Output {
     twinedge(&[&["sum"], &files[..], more].concat())
 }
 
-/// Takes times away: they differ from run to run.
+/// Removes times, which differ from run to run.
 fn without_times(mut value: Value) -> Value {
     match &mut value {
         Value::Object(object) => {
@@ -44,7 +44,7 @@ fn without_times(mut value: Value) -> Value {
 fn the_parts_of_each_command_add_up_to_the_whole() {
     for (arguments, count) in [
         (&["prove", "--edges", "2"][..], 3),
-        // More parts than maps.
+        // There are more parts than maps.
         (&["prove", "--edges", "0", "--on", "pointers"], 9),
         (&["prove", "--meshes", "4"], 3),
         (&["corrupt", "--edges", "1", "--pairs", "2500", "--seed", "7"], 2),
@@ -72,7 +72,7 @@ fn a_sum_is_printed_as_the_command_prints_it() {
     let output = sum(&files, &[]);
     let text = String::from_utf8(output.stdout).unwrap();
     assert!(output.status.code() == Some(0) && text.contains("exhausted up to 1 edge: all counts agree"), "{text}");
-    // A part says that it is one, and compares no counts.
+    // A part declares itself, and compares no counts.
     let output = twinedge(&["prove", "--edges", "1", "--shard", "1/2"]);
     let text = String::from_utf8(output.stdout).unwrap();
     assert!(text.starts_with("Part 1/2, counted from 0") && !text.contains('≠'), "{text}");

@@ -15,7 +15,7 @@ fn the_tables_of_two_half_edges_are_judged_alike_and_counted() {
     let judged = |free: &str| rows.iter().find(|row| row["free"] == free).unwrap()["judged"].as_u64();
     // Ten links, each to one of two records or nil.
     assert_eq!(judged("origin, twin, next, prev, leaving; nil"), Some(3_u64.pow(10)));
-    // An edge or a loop: `next` of two half-edges, for the one way to pair them off.
+    // An edge or a loop: `next` of two half-edges, for the only way to pair them.
     assert_eq!(judged("next, for all twins; surfaces"), Some(4));
 }
 

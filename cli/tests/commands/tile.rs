@@ -3,7 +3,7 @@
 use crate::support::{complaint, data, json, scratch_folder, twinedge};
 use serde_json::Value;
 
-/// A layer of parcels: a gap, an overlap, a sliver, a duplicate and a polygon with a spike, all of them cut by the lines between tiles.
+/// A layer of parcels with a gap, an overlap, a sliver, a duplicate and a polygon with a spike, each cut by lines between tiles.
 const PARCELS: &str = r#"{"type": "FeatureCollection", "features": [
 {"type": "Feature", "properties": {"name": "west"}, "geometry": {"type": "Polygon", "coordinates": [[[0,0],[4,0],[3,2],[4,4],[0,4],[0,0]]]}},
 {"type": "Feature", "properties": {"name": "east"}, "geometry": {"type": "Polygon", "coordinates": [[[4,0],[8,0],[8,4],[4,4],[5,2],[4,0]]]}},
@@ -15,7 +15,7 @@ const PARCELS: &str = r#"{"type": "FeatureCollection", "features": [
 {"type": "Feature", "properties": {"name": "touching"}, "geometry": {"type": "Polygon", "coordinates": [[[13,3],[15,3],[14,4],[15,5],[13,5],[14,4],[13,3]]]}}
 ]}"#;
 
-/// Two fields whose common border has a vertex in the west only, on the line between two tiles.
+/// Two fields whose common border has a vertex only in the west, on the line between two tiles.
 const UNMATCHED: &str = r#"{"type": "FeatureCollection", "features": [
 {"type": "Feature", "properties": {"name": "west"}, "geometry": {"type": "Polygon", "coordinates": [[[0,0],[2,0],[2,2],[2,4],[0,4],[0,0]]]}},
 {"type": "Feature", "properties": {"name": "east"}, "geometry": {"type": "Polygon", "coordinates": [[[2,0],[4,0],[4,4],[2,4],[2,0]]]}}
@@ -28,11 +28,10 @@ fn parcels(folder: &str) -> (std::path::PathBuf, String) {
     (folder, file.to_str().unwrap().to_owned())
 }
 
-/// The value without what a run of tiles has beside, and without what names records, which have no numbers in tiles; findings in order, and
-/// measures rounded.
+/// Removes the parts specific to tiles and the names of records, which have no numbers in tiles. Sorts findings, and rounds measures.
 fn compared(mut value: Value) -> Value {
     let object = value.as_object_mut().unwrap();
-    // Without shapes, no finding is known to follow from another one.
+    // Without shapes, no finding is known to follow from another.
     for key in ["elapsed_ms", "tiles", "headline", "causes", "consequences", "first"] {
         object.remove(key);
     }
@@ -56,7 +55,7 @@ fn compared(mut value: Value) -> Value {
             let at = violation["at"].as_array_mut().unwrap();
             at.sort_by_key(ToString::to_string);
         } else {
-            // The vertex that names a component is any one of it.
+            // A component is named by any of its vertices.
             violation.remove("at");
             violation.remove("features");
             violation.remove("feature_numbers");
@@ -141,7 +140,7 @@ fn the_sum_of_all_tiles_is_the_audit() {
     for key in ["overlaps", "gaps", "near_misses", "slivers", "duplicates", "ogc_invalid"] {
         assert_eq!(sum["coverage"][key], whole["coverage"][key], "{key}");
     }
-    // In parts, and the same bytes in whatever order.
+    // In steps, and with the same bytes in any order.
     let part = |name: &str, files: &[&str]| {
         let path = folder.join(name).to_str().unwrap().to_owned();
         let output = twinedge(&[&["sum", "-o", &path], files].concat());
@@ -204,7 +203,7 @@ fn the_sum_of_tiles_whose_borders_cross_has_the_findings_of_the_whole() {
     }
 }
 
-/// It said that it is not known how to cut borders: a summary did not say how short edges are.
+/// Regression: the sum did not know how to cut borders, because a summary did not record how short edges are.
 #[test]
 fn the_sum_of_tiles_says_as_the_audit_that_the_grid_for_cuts_is_too_wide() {
     let folder = scratch_folder("tiles-sum-far");
@@ -248,7 +247,7 @@ fn what_tiles_do_not_take_is_refused() {
     }
 }
 
-/// The summary of the only tile of a grid.
+/// Writes the summary of the only tile of a grid.
 fn only_tile(file: &str, summary: &std::path::Path, more: &[&str]) -> String {
     let name = summary.to_str().unwrap().to_owned();
     let output = twinedge(&[&["tile", file, "--grid", "1x1", "--tile", "0,0", "-o", &name], more].concat());
@@ -320,7 +319,7 @@ fn a_sum_does_not_take_longer_for_large_numbers_of_features() {
 
 #[test]
 fn a_large_feature_is_not_given_to_many_tiles_for_nothing() {
-    // An outline of 800 vertices around 256 squares: no grid has tiles with less than the outline.
+    // An outline of 800 vertices around 256 squares: every grid has a tile with the whole outline.
     let corner = |i: u32| f64::from(i % 200) / 10.0 - 2.0;
     let outline: Vec<[f64; 2]> = (0..800)
         .map(|i| match i / 200 {
@@ -346,7 +345,7 @@ fn a_large_feature_is_not_given_to_many_tiles_for_nothing() {
     assert_eq!(value["tiles"]["columns"], 4);
 }
 
-/// The units are those of the audit, by where the map is and by what the file says.
+/// The units are the same as in the audit, which chooses them by the map's location and by the file.
 #[test]
 fn a_sum_has_the_units_of_the_audit() {
     let folder = scratch_folder("tiles-units");

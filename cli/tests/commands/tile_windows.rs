@@ -1,14 +1,14 @@
-//! `twinedge tile` of files with boxes: the same bytes as from the whole file, less that is read, boxes that lie, and tiles that are left out.
+//! `twinedge tile` for files with boxes: the same bytes as from the whole file, less reading, false boxes, and missing tiles.
 
 use crate::support::{complaint, data, json, scratch_folder, twinedge, twinedge_reading, twinedge_with};
 use serde_json::{Value, json};
 use std::fmt::Write as _;
 use std::path::Path;
 
-/// The squares in a row, and the rows.
+/// The number of squares in a row, and of rows.
 const ACROSS: usize = 24;
 
-/// Squares in rows, of which some overlap their right neighbours: across lines of any grid, and beside them.
+/// Rows of squares. Some overlap their right neighbours, both across and away from the lines of any grid.
 fn squares() -> String {
     let mut lines = String::new();
     for number in 0..ACROSS * ACROSS {
@@ -30,7 +30,7 @@ fn convert(from: &str, folder: &Path, name: &str) -> String {
     to
 }
 
-/// Makes a tile: the path of its summary, and what was said.
+/// Makes a tile. Returns the path of its summary, and the output.
 fn tile(file: &str, grid: &str, at: &str, folder: &Path) -> Result<(String, String), String> {
     let summary = folder.join(format!("{}-{at}.summary", Path::new(file).extension().unwrap().display()));
     let summary = summary.to_str().unwrap().to_owned();
@@ -67,7 +67,7 @@ fn tiles_read_what_lies_around_them_and_add_up_to_the_audit() {
     let mut files = Vec::new();
     for at in ["0,0", "1,0", "2,0", "0,1", "1,1", "2,1", "0,2", "1,2", "2,2"] {
         let (summary, said) = tile(&file, "3x3", at, &folder).unwrap();
-        // Eight squares each way, and those around them.
+        // Eight squares each way, and the squares around them.
         let (read, rest) = said.rsplit_once(": ").unwrap().1.split_once(" of 576 features were read, and ").unwrap();
         let read: usize = read.parse().unwrap();
         assert!((81..=144).contains(&read), "{said}");
@@ -84,7 +84,7 @@ fn tiles_read_what_lies_around_them_and_add_up_to_the_audit() {
         assert_eq!(sum["coverage"][key], whole["coverage"][key], "{key}");
     }
 
-    // A tile that was made without cuts is named, and so is one that was cut otherwise than its neighbours.
+    // The error names a tile made without cuts, and a tile whose cuts differ from its neighbours' cuts.
     let saved: Value = serde_json::from_slice(&std::fs::read(files[4]).unwrap()).unwrap();
     let with = |cut: Value| {
         let mut saved = saved.clone();
@@ -107,7 +107,7 @@ fn a_box_that_is_smaller_than_its_feature_is_an_error_in_the_tile_where_it_shows
     let file = convert(&text, &folder, "squares.fgb");
     let mut bytes = std::fs::read(&file).unwrap();
     let header = u32::from_le_bytes(bytes[8..12].try_into().unwrap()) as usize;
-    // After 1, 3 and 36 nodes come those of the features. Square 12 is in the middle column, and its box says that it is farther to the left.
+    // The nodes of the features come after 1, 3 and 36 others. Square 12 is in the middle column, and its box is shifted to the left.
     let right = 12 + header + 40 * (40 + 12) + 16;
     assert_eq!(bytes[right..right + 8], 13.0_f64.to_le_bytes());
     bytes[right - 16..right - 8].copy_from_slice(&2.0_f64.to_le_bytes());
@@ -151,7 +151,7 @@ fn what_is_refused_of_a_file_with_boxes() {
     }
 }
 
-/// The report of an audit by tiles, without the time, and what is said of the file itself. There is no folder for temporary files.
+/// Returns the report of an audit by tiles, without the time and the file's name and digest. There is no folder for temporary files.
 #[cfg(unix)]
 fn without_copy(arguments: &[&str], input: &[u8]) -> Result<Value, String> {
     let arguments = [&["audit", "--format", "json"], arguments].concat();

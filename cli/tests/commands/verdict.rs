@@ -1,4 +1,4 @@
-//! The verdict of `twinedge audit`, what it is about, and the ids of what was found.
+//! The verdict of `twinedge audit`, the judged bytes, and the ids of findings.
 
 use crate::support::{data, json as run, twinedge_reading};
 use serde_json::{Value, json};
@@ -12,7 +12,7 @@ fn audited(arguments: &[&str], input: &str) -> (Option<i32>, Value) {
     (output.status.code(), serde_json::from_slice(&output.stdout).unwrap())
 }
 
-/// The ids of all that is listed.
+/// Returns the ids of all listed findings.
 fn ids(found: &Value) -> BTreeSet<String> {
     let listed = [&found["violations"], &found["coverage"]["findings"]].map(|list| list.as_array().unwrap());
     listed.into_iter().flatten().map(|one| one["id"].as_str().unwrap().to_owned()).collect()
@@ -23,7 +23,7 @@ fn a_verdict_says_what_was_judged() {
     let (status, found) = audited(&[], "POLYGON((0 0,1 0,0 1,0 0))\n");
     assert_eq!((status, &found["verdict"], &found["valid"]), (Some(0), &json!("valid"), &json!(true)));
     assert_eq!((&found["first"], found.get("unknown")), (&Value::Null, None));
-    // By `sha256sum`.
+    // Computed by `sha256sum`.
     let digest = "2cbf33d79f9a1427072bdfe4c486247d76aa40fd3299c0ebf020ca7ba0936674";
     assert_eq!(found["judged"], json!({"sha256": digest, "bytes": 27}));
     assert_eq!(found["version"], env!("CARGO_PKG_VERSION"));
@@ -52,7 +52,7 @@ fn what_was_not_judged_in_time_is_not_valid() {
         .stdout(Stdio::piped())
         .spawn()
         .unwrap();
-    // Nothing is written, so that the input does not end.
+    // Nothing is written, so the input does not end.
     let kept = late.stdin.take();
     let output = late.wait_with_output().unwrap();
     drop(kept);
@@ -93,7 +93,7 @@ fn ids_are_the_same_in_any_order_of_the_features() {
 const TOO_WIDE: &str =
     "half of the edges are shorter than 16.0000, and the grid that cuts crossing borders has cells of at least 88.8178";
 
-/// On the finest grid for a coordinate of 10^17 a cell is 128 wide: the squares and their overlap were lost, and C1 was "ok".
+/// Regression: on the finest grid for a coordinate of 10^17 a cell is 128 wide. The squares and their overlap were lost, and C1 was "ok".
 #[test]
 fn a_coverage_is_not_checked_where_a_coordinate_far_away_makes_the_grid_too_wide() {
     let squares = "POLYGON((0 0,10 0,10 10,0 10,0 0))\nPOLYGON((5 5,15 5,15 15,5 15,5 5))\n";
@@ -106,17 +106,17 @@ fn a_coverage_is_not_checked_where_a_coordinate_far_away_makes_the_grid_too_wide
         assert_eq!((status, &found["verdict"]), (Some(1), &json!("invalid")), "{tiles:?}");
         assert_eq!(found["coverage"]["not_checked"], TOO_WIDE);
     }
-    // The map on that grid keeps the rules, and it is not that of the squares.
+    // The map on that grid keeps the rules, but it no longer has the squares.
     let (status, near) = audited(&["--coverage", "--snap", "auto"], squares);
     assert_eq!((status, &near["coverage"]["overlaps"]), (Some(1), &json!(1)));
     let (status, found) = audited(&["--coverage", "--snap", "auto"], &far);
     assert_eq!((status, &found["coverage"]["not_checked"]), (Some(1), &json!(TOO_WIDE)));
-    // A map that is plane is not cut.
+    // A plane map is not cut.
     let (status, found) = audited(&["--coverage"], "POLYGON((0 0,10 0,10 10,0 10,0 0))\nPOINT(1e17 0)\n");
     assert_eq!((status, found["coverage"].get("not_checked")), (Some(0), None));
 }
 
-/// It was the vertex that the file names first.
+/// Regression: the vertex named first in the file was reported.
 #[test]
 fn a_component_with_handles_is_named_by_its_least_vertex_whatever_the_order_of_features() {
     let text = std::fs::read_to_string(data("world-110m-crossing.geojson")).unwrap();

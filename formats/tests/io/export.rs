@@ -56,11 +56,11 @@ fn through_geo_types(features: &[Feature]) -> Vec<Feature> {
 
 type Bits = (u64, u64);
 
-/// A half-edge: where it starts and ends, and the features to its left.
+/// A half-edge: its ends, and the features to its left.
 type Side = (Bits, Bits, Vec<usize>);
 
-/// The drawing of a map: the half-edges by their ends, each with the features to its left, and the numbers of faces and
-/// components; isolated vertices apart.
+/// The drawing of a map: the half-edges with the features to their left, and the numbers of faces and components.
+/// Isolated vertices are left out.
 fn drawn(map: &PlanarMap) -> (BTreeSet<Side>, usize, usize) {
     let bits = |p: Point| (p.x.to_bits(), p.y.to_bits());
     let at = |v: twinedge::dcel::Vertex<'_>| bits(map.position(v.key()).expect("live"));
@@ -160,7 +160,7 @@ fn closed(mut features: Vec<Feature>) -> Vec<Feature> {
 
 fn shapes_come_back_as_they_were(shapes: Vec<Shapes>, exponents: Vec<i16>) -> bool {
     let mut features: Vec<Feature> = shapes.iter().take(5).map(|shapes| feature(shapes)).collect();
-    // Numbers of all sizes, most of which have many digits.
+    // Numbers of all sizes, mostly with many digits.
     let mut scale = exponents.iter().cycle().map(|e| 10_f64.powi(i32::from(*e % 300)) / 3.0);
     for shape in features.iter_mut().flat_map(|feature| &mut feature.shapes) {
         let points = match shape {
@@ -240,7 +240,7 @@ fn what_geo_types_has_beside_is_taken_too() {
     assert_eq!(areas, [2.0, 1.0]);
 }
 
-/// Takes some bytes and then no more.
+/// A writer that takes some bytes and then fails.
 struct Full(usize);
 
 impl Write for Full {

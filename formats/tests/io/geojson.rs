@@ -1,4 +1,4 @@
-//! Input that `io::geojson` takes, input that it refuses, and the place of each error.
+//! Input that `io::geojson` accepts or refuses, and the place of each error.
 
 use std::collections::BTreeSet;
 use std::error::Error;
@@ -33,12 +33,12 @@ fn at(line: usize, column: usize) -> TextPlace {
     TextPlace { line, column: Some(column) }
 }
 
-/// An error that concerns no feature, at this place.
+/// Returns true if the error is at this place and concerns no feature.
 fn is_at(error: &ReadError, place: TextPlace) -> bool {
     error.place == place && error.feature.is_none()
 }
 
-// ---------------------------------------------------------------------------------------------------- what it takes
+// --------------------------------------------------------------------------------------------------- accepted input
 
 #[test]
 fn every_kind_of_geometry() {
@@ -134,7 +134,7 @@ fn names_are_taken_from_properties() {
     };
     let keys = ["name", "NAME", "Name", "ADMIN", "admin", "title", "id"];
     for first in 0..keys.len() {
-        // Written in reverse, so that what counts is the rank and not the order.
+        // The members are in reverse, to show that rank counts and not order.
         let members: Vec<_> = keys[first..].iter().rev().map(|key| format!(r#""{key}":"{key}!""#)).collect();
         assert_eq!(name(&format!("{{{}}}", members.join(","))), Some(format!("{}!", keys[first])));
     }
@@ -174,7 +174,7 @@ fn a_byte_order_mark_is_skipped_and_not_counted() {
 
 #[test]
 fn numbers_are_read_to_the_last_bit() {
-    // Under the default settings of serde_json the first comes out one unit in the last place too large.
+    // With the default settings of serde_json, the first one is too large by one unit in the last place.
     for digits in ["31.245270191439438", "121.48791951161945", "9007199254740993", "-1.7976931348623157e308", "5e-324"]
     {
         let expected = Shape::Point(Point { x: digits.parse().unwrap(), y: 0.0 });
@@ -182,7 +182,7 @@ fn numbers_are_read_to_the_last_bit() {
     }
 }
 
-/// The countries of the world: figures counted outside of this crate (see `cli/data`).
+/// The countries of the world, with figures counted outside of this crate (see `cli/data`).
 #[test]
 fn the_world() {
     let (features, summary) = read(include_bytes!("../../../cli/data/world-110m.geojson")).unwrap();
@@ -201,7 +201,7 @@ fn the_world() {
         for ring in rings {
             let ends: Vec<_> = ring.iter().map(|p| (p.x.to_bits(), p.y.to_bits())).collect();
             vertices.extend(ends.iter().copied());
-            // North Korea repeats a point; that is no edge.
+            // North Korea repeats a point, which is not an edge.
             let steps = ends.windows(2).filter(|pair| pair[0] != pair[1]);
             edges.extend(steps.map(|pair| (pair[0].min(pair[1]), pair[0].max(pair[1]))));
         }
@@ -209,7 +209,7 @@ fn the_world() {
     assert_eq!((vertices.len(), edges.len()), (7_493, 7_655));
 }
 
-// -------------------------------------------------------------------------------------------------- what it refuses
+// ---------------------------------------------------------------------------------------------------- refused input
 
 #[test]
 fn empty() {
@@ -224,7 +224,7 @@ fn empty() {
     }
 }
 
-/// Every proper beginning of a document is known to be too short, at its very end.
+/// Every proper prefix of a document is reported as too short, at its end.
 #[test]
 fn truncated_anywhere() {
     let text = r#" {"type":"FeatureCollection", "bbox":[-1.5e2, 0, 1, true, false, null],
@@ -251,7 +251,7 @@ fn syntax() {
         ("{\"type\":\"Point\",\"coordinates\":[1,NaN]}", at(1, 34)),
         ("{\"type\":\"FeatureCollection\",\"features\":[\n{\"type\":\"Feature\"}\n{}]}", at(3, 1)),
         ("{\"foreign\":[1 2]}", at(1, 15)),
-        // Taken for a fault of syntax by `serde_json`.
+        // `serde_json` takes this for a syntax error.
         ("{\"type\":null}", at(1, 9)),
         ("{\"type\":\"FeatureCollection\",\"features\":[{\"id\":-x}", at(1, 48)),
     ] {
@@ -272,7 +272,7 @@ fn trailing() {
     }
 }
 
-/// Hands out a text, fails, and then goes on with another text as if nothing had been.
+/// A reader that returns a text, fails, and then continues with another text.
 struct Failing<'a> {
     before: &'a [u8],
     failed: bool,
@@ -296,7 +296,7 @@ impl Read for Failing<'_> {
 fn io_errors() {
     let text = b"{\"type\":\n\"Point\",\"coordinates\":[1,2]}";
     for (end, place) in [(0, at(1, 0)), (9, at(2, 0)), (20, at(2, 11)), (text.len(), at(2, text.len() - 9))] {
-        // Text that could be read behind the failure makes no difference.
+        // Text that could be read after the failure makes no difference.
         for after in [&b""[..], b"]}", b"}", &text[end..]] {
             let reader = Failing { before: &text[..end], failed: false, after };
             let error = geojson::read(reader, |_| Ok::<_, ReadError>(())).unwrap_err();
@@ -310,7 +310,7 @@ fn io_errors() {
     }
 }
 
-/// Hands out one byte at a time and is interrupted before each.
+/// A reader that returns one byte at a time, with an interruption before each.
 struct Slow<'a>(&'a [u8], bool);
 
 impl Read for Slow<'_> {
@@ -335,7 +335,7 @@ fn interruptions_and_small_reads_do_no_harm() {
     assert_eq!((features, summary.unwrap()), read(text).unwrap());
 }
 
-/// The outermost object is wrong. The words are those of the `geojson` crate.
+/// The outermost object is invalid. The messages are those of the `geojson` crate.
 #[test]
 fn not_geojson() {
     for (text, place, says) in [
@@ -364,7 +364,8 @@ fn not_geojson() {
     assert_eq!(message.chars().count(), 200);
 }
 
-/// Reads a document whose second feature of three has this geometry in its line 3; gives its name and the place.
+/// Reads three features, the second of which has this geometry in line 3. Returns the name, the place and the cause of
+/// the error.
 fn fault_of(geometry: &str) -> (Option<String>, TextPlace, ReadCause) {
     let good = r#"{"type":"Feature","properties":{"name":"good"},"geometry":null}"#;
     let text = format!(
@@ -383,7 +384,7 @@ fn fault_of(geometry: &str) -> (Option<String>, TextPlace, ReadCause) {
     (name, place, cause)
 }
 
-/// Faults that the crate notices have the place where it does.
+/// Errors that the crate detects are placed where it detects them.
 #[test]
 fn malformed_geometries() {
     for (geometry, column, says) in [
@@ -397,7 +398,7 @@ fn malformed_geometries() {
         (r#"{"type":"Point","coordinates":[1,"2"]}"#, 36, "invalid type: string"),
         (r#"{"type":"LineString","coordinates":[[1,2],{"x":1,"y":2}]}"#, 43, "invalid type: map"),
         (r#"{"type":"LineString","coordinates":[[1,2],[[3,4]]]}"#, 44, "invalid type: sequence"),
-        // These two show only behind the geometry.
+        // These two are only detected after the geometry.
         (r#"{"type":"Point"}"#, 17, "no `coordinates` key"),
         (r#"{"type":"LineString","coordinates":[1,2]}"#, 42, "unexpected coordinates dimensions: 0"),
     ] {
@@ -410,7 +411,7 @@ fn malformed_geometries() {
     assert!(name.is_none() && place == at(3, 39) && matches!(cause, ReadCause::OutOfRange), "{place}: {cause:?}");
 }
 
-/// Faults that are noticed behind the crate have the place of the feature's closing brace, and its name.
+/// Errors detected after the crate's parsing have the name of the feature and the place of its closing brace.
 #[test]
 fn short_positions() {
     let name = || Some("b".into());
@@ -474,7 +475,7 @@ fn deep_nesting_is_an_error() {
     let text = nested_collections(MAX_NESTED_COLLECTIONS + 1);
     let error = read(&text).unwrap_err();
     assert_eq!(error.to_string(), format!("line 1, column {}: feature 0: nested too deep", text.len()));
-    // Here the crate does not get to the end.
+    // Here the crate does not reach the end.
     let coordinates = "[".repeat(100_000) + &"]".repeat(100_000);
     for text in [nested_collections(10_000), format!(r#"{{"type":"Polygon","coordinates":{coordinates}}}"#)] {
         let error = read(text).unwrap_err();
@@ -498,7 +499,7 @@ impl From<ReadError> for Mine {
 
 #[test]
 fn the_callback_can_stop_the_reading() {
-    // The text after the second feature is never looked at.
+    // The text after the second feature is never read.
     let text = r#"{"type":"FeatureCollection","features":[{"type":"Feature"},{"type":"Feature"},?"#;
     let stop_at = |limit: usize| {
         let mut count = 0;

@@ -1,4 +1,4 @@
-//! Laws of `io::geojson`: what was written is read, and nothing depends on its being read feature by feature.
+//! Laws of `io::geojson`: written data is read back, and reading feature by feature makes no difference.
 
 use geojson::{GeoJson, GeometryValue};
 use quickcheck::{Arbitrary, Gen, QuickCheck};
@@ -15,12 +15,12 @@ fn read(text: &[u8]) -> Result<(Vec<Feature>, ReadSummary), ReadError> {
     Ok((features, summary))
 }
 
-/// Always the same tests.
+/// A `QuickCheck` with a fixed seed.
 fn check(tests: u64, seed: u64) -> QuickCheck {
     QuickCheck::new().tests(tests).rng(Gen::from_size_and_seed(8, seed))
 }
 
-/// A document, with what a reader should make of it.
+/// A document, with the expected result of reading it.
 #[derive(Clone, Debug)]
 struct Document {
     text: String,
@@ -28,7 +28,7 @@ struct Document {
     with_extra_dimensions: usize,
 }
 
-/// Writes a document in one of the many ways that mean the same.
+/// Writes a document in one of many equivalent ways.
 struct Writer<'g> {
     g: &'g mut Gen,
     with_extra_dimensions: usize,
@@ -82,7 +82,7 @@ impl Writer<'_> {
     fn position(&mut self, p: Point) -> String {
         let extra = self.below(8);
         self.with_extra_dimensions += usize::from(extra > 5);
-        // The shortest digits that give the same float back.
+        // The shortest digits that parse to the same float.
         let mut numbers = vec![format!("{:?}", p.x), format!("{:?}", p.y)];
         numbers.extend((5..extra).map(|_| "7.5".into()));
         self.array(numbers, |_, number| number)
@@ -218,7 +218,7 @@ fn what_was_written_is_read() {
     check(2_000, 1).quickcheck(law as fn(Document) -> bool);
 }
 
-/// A document with one to three of its bytes replaced, removed or doubled.
+/// A document with one to three bytes replaced, removed or doubled.
 #[derive(Clone, Debug)]
 struct Damaged(Vec<u8>);
 
@@ -286,8 +286,8 @@ fn whole(text: &[u8]) -> Option<Vec<Feature>> {
     })
 }
 
-/// Feature by feature or all at once: the crate's reader of whole documents takes the same ones, in the same way. But
-/// it also takes positions of fewer than two numbers, and does not take just anything as a `bbox`.
+/// Reading feature by feature and with the crate's reader of whole documents accepts the same documents, with equal
+/// results. But the crate also accepts positions of fewer than two numbers, and is stricter about `bbox`.
 #[test]
 fn damaged_documents_are_read_as_they_are_when_read_whole() {
     fn law(Damaged(text): Damaged) -> bool {
@@ -311,7 +311,7 @@ fn the_world_is_read_as_it_is_when_read_whole() {
     assert_eq!(read(text).unwrap().0, whole(text).unwrap());
 }
 
-/// Any bytes whatever: an error tells a place inside the text, and only JSON is taken.
+/// For arbitrary bytes, errors are placed inside the text, and only JSON is accepted.
 #[test]
 fn any_bytes() {
     fn law(text: Vec<u8>, documents: Vec<Document>) -> bool {

@@ -1,4 +1,4 @@
-//! Irregular rings are legal: built as they are, counted, and listed with their places.
+//! Irregular rings are legal: they are built unchanged, counted, and listed with their places.
 #![allow(clippy::float_cmp, reason = "areas on a grid of whole numbers are exact")]
 
 use quickcheck::{Gen, QuickCheck, TestResult};
@@ -57,7 +57,7 @@ fn the_same_as_one_ring_touches_itself() {
     assert!(map.validate().is_valid());
     assert_eq!(listed(&map), [(IrregularityKind::SelfTouching, 0, 4, at((0, 0)))]);
     assert_eq!((counted(&map), area(&map)), ([0, 0, 0, 0, 1, 0], 32.0));
-    // A hole on a bridge, too: there and back again along it.
+    // A hole on a bridge also runs there and back along it.
     let map = built(&[&[(0, 0), (6, 0), (6, 6), (0, 6), (0, 0), (1, 1), (1, 3), (3, 1), (1, 1), (0, 0)]]);
     assert!(map.validate().is_valid());
     assert_eq!(listed(&map), [(IrregularityKind::SelfTouching, 0, 4, at((0, 0)))]);
@@ -75,14 +75,14 @@ fn rings_that_run_the_wrong_way_cover_the_same() {
 
 #[test]
 fn spikes_stay_as_edges_inside_or_outside() {
-    // One to the outside over two edges, one across the end of the list to the inside.
+    // One kickback to the outside over two edges, and one to the inside across the end of the list.
     let map = built(&[&[(1, 1), (0, 0), (6, 0), (7, 0), (8, 0), (7, 0), (6, 0), (6, 6), (0, 6), (0, 0), (1, 1)]]);
     assert!(map.validate().is_valid());
     let spike = IrregularityKind::Spike;
     assert_eq!(listed(&map), [(spike, 0, 4, at((8, 0))), (spike, 0, 0, at((1, 1)))]);
     assert_eq!((counted(&map), area(&map)), ([0, 0, 0, 0, 0, 2], 36.0));
     assert_eq!((map.dcel().face_count(), map.dcel().edge_count()), (2, 7));
-    // One that stops short of where it came from overlaps an edge, and that is a violation besides.
+    // A kickback that stops short of its start overlaps an edge, which is also a violation.
     let map = built(&[&[(0, 0), (6, 0), (3, 0), (3, 6), (0, 0)]]);
     assert_eq!(listed(&map), [(spike, 0, 1, at((6, 0)))]);
     assert!(!map.is_plane());
@@ -99,7 +99,7 @@ fn repeated_points_and_open_rings_are_listed() {
 
 #[test]
 fn long_chains_are_followed_without_a_gap() {
-    // There and back, over more points than are taken together; some are repeated.
+    // There and back, over more points than one block; some are repeated.
     let (there, repeated) = (0..200, [62, 63, 64, 127, 128]);
     let way = there.clone().chain(there.clone().rev()).map(|x| (x, 0));
     let chain: Vec<Grid> = way.flat_map(|p| vec![p; 1 + usize::from(repeated.contains(&p.0))]).collect();
@@ -110,7 +110,7 @@ fn long_chains_are_followed_without_a_gap() {
     let map = builder.build().expect("fits");
     let summary = map.summary();
     assert_eq!((map.dcel().vertex_count(), map.dcel().edge_count()), (200, 199));
-    // Five on each way, and the point in the middle, which follows itself.
+    // Five repeated points each way, and the middle point, which follows itself.
     assert_eq!((summary.segments, summary.zero_length_segments), (2 * 409, 2 * 11));
     assert_eq!(summary.duplicate_segments, 3 * 199);
     let kind = IrregularityKind::RepeatedPoint;
@@ -159,7 +159,7 @@ fn of_each_kind_only_so_many_are_listed() {
     assert!(summary.irregularities.iter().all(|i| i.position.feature < 20));
 }
 
-/// Twice the area, in whole numbers.
+/// Twice the area, as an integer.
 fn twice_area(ring: &[Grid]) -> i32 {
     (0..ring.len()).map(|i| (ring[i], ring[(i + 1) % ring.len()])).map(|((a, b), (c, d))| a * d - b * c).sum()
 }
@@ -186,7 +186,7 @@ fn rings_look_as_one_sees(points: Vec<(u8, u8)>, hole: bool) -> TestResult {
         px * qy == py * qx && px * qx + py * qy > 0
     };
     let spikes = (0..n).filter(turns_back).count();
-    // Without what goes there and back, taken off wherever it is found until there is none.
+    // Removes points that run there and back until there are none.
     let mut trimmed = corners.clone();
     while let Some(i) =
         (0..trimmed.len()).find(|i| trimmed.len() > 2 && trimmed[*i] == trimmed[(i + 2) % trimmed.len()])

@@ -1,4 +1,4 @@
-//! The one way to read any format: how the format is told, what is said of content that is not read, and what is dropped.
+//! Reading any format: recognizing the format, errors for unreadable content, and dropped parts.
 
 use std::io::{self, Read};
 
@@ -19,7 +19,7 @@ fn all(text: impl AsRef<[u8]>, format: Option<Format>) -> Result<(Vec<Feature>, 
 
 const POINT: &str = r#"{"type":"Point","coordinates":[1,2]}"#;
 
-// ------------------------------------------------------------------------------------------------ telling the format
+// -------------------------------------------------------------------------------------------- recognizing the format
 
 #[test]
 fn the_extension_tells_the_format() {
@@ -30,7 +30,7 @@ fn the_extension_tells_the_format() {
         ("a.geojsons", Some(Format::GeoJsonSeq)),
         ("a.ndjson", Some(Format::GeoJsonSeq)),
         ("a.wkt", Some(Format::Wkt)),
-        // May be anything.
+        // This could be anything.
         ("a.json", None),
         ("a.txt", None),
         ("a.geojson.gz", None),
@@ -39,7 +39,7 @@ fn the_extension_tells_the_format() {
     ] {
         assert_eq!(Format::of_path(name), format, "{name}");
     }
-    // The registry has its rows in the order of the variants.
+    // The registry lists the formats in the order of the variants.
     for (format, extension) in
         Format::ALL.into_iter().zip(["geojson", "geojsonl", "wkt", "wkb", "shp", "gpkg", "topojson", "fgb", "parquet"])
     {
@@ -89,9 +89,9 @@ fn each_format_is_read() {
             assert!(features.iter().all(|feature| feature.shapes == [point.clone()]), "{text}");
         }
     }
-    // Sequences are often named as if they were one object.
+    // Sequences are often named like single objects.
     assert_eq!(all(&two, Some(Format::GeoJson)).unwrap().0.len(), 2);
-    // A given format outweighs the look of the content.
+    // A given format takes precedence over the content.
     assert!(matches!(all(POINT, Some(Format::Wkt)).unwrap_err().cause, ReadCause::Syntax { .. }));
 }
 
@@ -149,9 +149,9 @@ fn faults_in_a_sequence_have_the_place_and_the_number_in_the_file() {
     assert_eq!(error.to_string(), "line 2, column 2: not GeoJSON: missing field `type`");
 }
 
-// ------------------------------------------------------------------------------------------------- what is not read
+// ------------------------------------------------------------------------------------------------- unreadable input
 
-/// The first bytes of files of other formats. The binary ones are those that the formats' own specifications give.
+/// The first bytes of files of other formats. The binary ones come from the formats' specifications.
 #[test]
 fn other_formats_are_named() {
     let sqlite = |id: &[u8]| [b"SQLite format 3\0", &[0; 52][..], id].concat();
@@ -211,7 +211,7 @@ fn other_formats_are_named() {
     assert_eq!(says, expected);
 }
 
-/// Members of one format are no sign of another one.
+/// Members of one format do not indicate another one.
 #[test]
 fn what_is_read_is_not_taken_for_another_format() {
     for text in [
@@ -265,7 +265,7 @@ fn a_failing_reader() {
     }
 }
 
-// --------------------------------------------------------------------------------------------------- what is dropped
+// ----------------------------------------------------------------------------------------------------- dropped parts
 
 #[test]
 fn what_is_dropped_is_counted() {

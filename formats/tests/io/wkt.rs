@@ -1,4 +1,4 @@
-//! Text that the reader of well-known text takes, text that it refuses, and the line of each error.
+//! Text that the reader of well-known text accepts or refuses, and the line of each error.
 
 use std::io::{self, Read};
 
@@ -121,11 +121,11 @@ fn empty_points_of_a_multi_point_are_left_out() {
 fn a_reference_system_before_a_geometry_is_read() {
     let (features, summary) = read("SRID=4326;POINT(1 2)\nsrid=2056; POINT(3 4)\nPOINT(5 6)\n").unwrap();
     assert_eq!(features.len(), 3);
-    // That of the second line is another than usual.
+    // The second line has an unusual reference system.
     assert_eq!(summary.other_crs, 1);
 }
 
-/// Every fault is reported with the third line, on which it stands, after the geometry before it was handed over.
+/// Every error is reported with its line, the third, after the preceding geometry was handed over.
 fn fault_of(text: impl AsRef<[u8]>) -> ReadCause {
     let mut count = 0;
     let all = [b"# first\nPOINT(1 2)\n", text.as_ref(), b"\nPOINT(5 6)\n"].concat();
@@ -226,7 +226,7 @@ fn deep_nesting_is_an_error() {
     assert!(matches!(fault_of("POINT".to_owned() + &"(".repeat(100_000)), ReadCause::TooDeep));
 }
 
-/// Fails at the end of the text.
+/// A reader that fails at the end of the text.
 struct Broken<'a>(&'a [u8]);
 
 impl Read for Broken<'_> {
@@ -273,7 +273,7 @@ fn the_callback_can_stop_the_reading() {
     assert_eq!(stop_at(3), Err(Mine::Read(3)));
 }
 
-/// Shapes of one line, and the line.
+/// The shapes of one line, and the line.
 #[derive(Clone, Debug)]
 struct Written {
     shapes: Vec<Shape>,
@@ -283,7 +283,7 @@ struct Written {
 impl Arbitrary for Written {
     fn arbitrary(g: &mut Gen) -> Self {
         fn row(points: &[Point]) -> String {
-            // The shortest digits that give the same float back.
+            // The shortest digits that parse to the same float.
             points.iter().map(|p| format!("{:?} {:?}", p.x, p.y)).collect::<Vec<_>>().join(" , ")
         }
         fn some_row(g: &mut Gen) -> Vec<Point> {
@@ -315,7 +315,7 @@ impl Arbitrary for Written {
     }
 }
 
-/// Always the same tests.
+/// A `QuickCheck` with a fixed seed.
 fn check(tests: u64, seed: u64) -> QuickCheck {
     QuickCheck::new().tests(tests).rng(Gen::from_size_and_seed(8, seed))
 }
@@ -331,7 +331,7 @@ fn what_was_written_is_read() {
     check(1_000, 1).quickcheck(law as fn(Vec<Written>) -> bool);
 }
 
-/// Every proper beginning of a line is an error on that line.
+/// Every proper prefix of a line is an error on that line.
 #[test]
 fn truncated_anywhere() {
     fn law(written: Written) -> bool {
@@ -346,7 +346,7 @@ fn truncated_anywhere() {
     check(300, 2).quickcheck(law as fn(Written) -> bool);
 }
 
-/// Any bytes whatever: an error tells a line of the text; and every line that was taken reads the same alone.
+/// For arbitrary bytes, errors name a line of the text, and every accepted line reads the same alone.
 #[test]
 fn damaged_lines() {
     fn law(written: Vec<Written>, damage: Vec<(usize, u8)>) -> bool {

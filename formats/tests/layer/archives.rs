@@ -1,4 +1,4 @@
-//! Layers in archives, and archives that are damaged, expand without end, or lead elsewhere.
+//! Layers in archives, and archives that are damaged, expand without end, or contain unsafe paths.
 
 use crate::support::{from_bytes, from_text, read, scratch, world};
 use flate2::Compression;
@@ -45,7 +45,7 @@ fn parts_of_shapefile(layer: &Layer) -> Vec<(String, Vec<u8>)> {
     files.map(|path| (path.file_name().unwrap().to_str().unwrap().to_owned(), fs::read(&path).unwrap())).collect()
 }
 
-/// The layer of an archive that is in memory, with all its parts.
+/// Reads the layer of an archive in memory, with all its parts.
 fn in_memory(archive: &[u8]) -> Result<Layer, ReadError> {
     let UnpackedFiles { files, path, layer } = unpack_bytes(archive, None, None)?.expect("it is an archive");
     let main = files.share(&path).expect("it was unpacked");
@@ -64,7 +64,7 @@ fn a_shapefile_is_written_zipped_and_read_without_a_disk() {
     fs::write(&path, &archive).unwrap();
     assert_eq!(in_memory(&archive).unwrap(), read(&path).unwrap());
     assert_eq!(in_memory(&gzipped(&geojson(&layer))).unwrap(), layer);
-    // Parts beside it are not looked for on disk.
+    // Missing parts are not looked for on disk.
     let alone: Files =
         [(path.with_extension("shp"), files.get(Path::new("countries.shp")).unwrap().to_vec())].into_iter().collect();
     let options = ReadOptions { files: Some(Arc::new(alone)), ..ReadOptions::default() };
@@ -140,7 +140,7 @@ fn archive_error(bytes: &[u8]) -> ArchiveError {
 fn archives_that_expand_without_end_are_refused() {
     let zeros = vec![0; 1 << 20];
     assert_eq!(archive_error(&gzipped(&zeros).repeat(100)), ArchiveError::Expands { times: 200 });
-    // The sizes that a zip archive names are not believed: the parts of a layer count together.
+    // The sizes declared in a zip archive are not trusted: the limit applies to all parts of a layer together.
     let parts = ["shp", "shx", "dbf", "prj", "cpg"].map(|extension| format!("a.{extension}"));
     let zeros = vec![0; 20 << 20];
     let files: Vec<(&str, &[u8])> = parts.iter().map(|name| (name.as_str(), zeros.as_slice())).collect();

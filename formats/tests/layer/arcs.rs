@@ -1,4 +1,4 @@
-//! The arcs of TopoJSON, judged as they are: what is right passes, and each fault is named.
+//! The arcs of TopoJSON, judged as shared: valid arcs pass, and each fault is named.
 
 use serde_json::{Value, json};
 use twinedge::validate::{Record, View};
@@ -7,7 +7,7 @@ use twinedge_formats::layer::{Cause, ReadError};
 
 const SOUTH_AMERICA: &str = include_str!("data/south-america.topojson");
 
-/// Two squares side by side, and a third one in a hole of the first.
+/// Two adjacent squares, and a third one in a hole of the first.
 fn squares() -> Value {
     json!({
         "type": "Topology",
@@ -29,14 +29,14 @@ fn audited(file: &Value) -> TopologyAudit {
     audit(&read(&mut file.to_string().as_bytes(), Some("map"), 100).unwrap(), 100)
 }
 
-/// The map with something at one place changed.
+/// Returns the map with one value changed.
 fn with(pointer: &str, value: Value) -> Value {
     let mut file = squares();
     *file.pointer_mut(pointer).unwrap() = value;
     file
 }
 
-/// The kinds and sentences of all violations.
+/// Returns the kinds and messages of all violations.
 fn found(file: &Value) -> Vec<(&'static str, String)> {
     let audit = audited(file);
     assert_eq!(audit.is_valid(), audit.violation_count() == 0, "{audit}");
@@ -62,7 +62,7 @@ fn what_is_right_is_valid_whichever_way_rings_are_wound() {
     for (pointer, reversed) in [(P, json!([[-2, -1], [-4]])), (P, json!([[0, 1], [3]])), (R, json!([[0, -3]]))] {
         assert!(audited(&with(pointer, reversed)).is_valid());
     }
-    // A hole that nobody fills is a gap, and no fault of the arcs.
+    // An unfilled hole is a gap, which is not a fault of the arcs.
     assert_eq!(kinds(&with(Q, json!([]))), [""; 0]);
 }
 
@@ -78,8 +78,8 @@ fn half_edges_are_arcs_and_backwards_their_complements() {
     assert_eq!(name(topology.origin(0), Record::Vertex), "(6, 0)");
 }
 
-/// The counts are those of the same map as a topology of PostGIS would have them: 13 countries in 15 polygons on 3 islands, of which
-/// 37 arcs with 565 bends are the borders; V − E + F = 25 − 37 + 16 = 1 + 3.
+/// The counts are as for a topology of PostGIS: 13 countries in 15 polygons on 3 islands. 37 arcs with 565 bends are the borders; V − E + F = 25 − 37
+/// + 16 = 1 + 3.
 #[test]
 fn what_geo2topo_wrote_is_valid() {
     let audit = audit(&read(&mut SOUTH_AMERICA.as_bytes(), None, 100).unwrap(), 100);
@@ -154,7 +154,7 @@ fn polygons_that_overlap_without_sharing_a_side_are_named() {
     file["objects"]["map"]["geometries"].as_array_mut().unwrap().push(json!({"type": "Polygon", "arcs": [[4]]}));
     let found = kinds(&file);
     assert!(!found.is_empty() && found.iter().all(|kind| *kind == "face_changes"), "{found:?}");
-    // A hole that lies outside of its polygon, and is filled there.
+    // A hole outside of its polygon, and filled there.
     let found = kinds(&with("/arcs/3", json!([[22, 2], [24, 2], [24, 4], [22, 4], [22, 2]])));
     assert!(found.contains(&"wrong_face"), "{found:?}");
 }
@@ -169,7 +169,7 @@ fn where_ends_do_not_join_faces_are_not_judged_and_arcs_are() {
     assert_eq!(rule("B1").unchecked.map(|why| why.to_string()).as_deref(), Some("needs A1, which is broken"));
 }
 
-/// The places of all numbers in nested lists.
+/// Collects the JSON pointers of all numbers in nested lists.
 fn indices(value: &Value, path: &str, places: &mut Vec<String>) {
     for (i, item) in value.as_array().into_iter().flatten().enumerate() {
         let path = format!("{path}/{i}");
@@ -177,7 +177,7 @@ fn indices(value: &Value, path: &str, places: &mut Vec<String>) {
     }
 }
 
-/// Each of the 61 indices of a real map, set to every third of the others.
+/// Each of the 61 indices of a real map is set to every third of the others.
 #[test]
 fn every_wrong_index_is_found() {
     let file: Value = serde_json::from_str(SOUTH_AMERICA).unwrap();
@@ -200,9 +200,9 @@ fn every_wrong_index_is_found() {
             }
         }
     }
-    // The other way around, the one ring of the Falkland Islands is the same ring.
+    // The only ring of the Falkland Islands is the same ring when reversed.
     let same = ("/objects/countries/geometries/2/arcs/0/0".to_owned(), 12, -13);
-    // 20 of the 61 are among the 25 that are tried.
+    // 20 of the 61 are among the 25 tried values.
     assert_eq!((wrong, missed), (61 * 25 - 20, vec![same]));
 }
 
@@ -217,7 +217,7 @@ fn what_is_no_topology_is_an_error() {
         let text = format!(r#"{{"type":"Topology","arcs":[],"objects":{{"a":{geometry}}}}}"#);
         assert!(matches!(read(&text), Err(ReadError::Content { .. })), "{geometry}");
     }
-    // A long arc that is repeated is walked along once.
+    // A long arc that is repeated is traversed once.
     let arc = vec!["[0,0],[1,0],[1,1]"; 20_000].join(",");
     let indices = vec!["0,-1"; 50_000].join(",");
     let text = format!(

@@ -1,4 +1,4 @@
-//! Cleaning: what was planted is gone, what was right is as it was, and cleaning twice is cleaning once.
+//! Cleaning: planted faults disappear, valid features stay unchanged, and cleaning twice equals cleaning once.
 
 use crate::support::{from_text, through, to_geojson, world};
 use quickcheck::{TestResult, quickcheck};
@@ -22,7 +22,7 @@ fn rings(feature: &Feature) -> Vec<&Vec<Position>> {
     }
 }
 
-/// The area of polygons whose rings turn either way, as those that stay as they are do.
+/// The area of polygons with rings of any orientation, since unchanged features keep theirs.
 fn area(feature: &Feature) -> f64 {
     let of_ring = |ring: &Vec<Position>| {
         twinedge_algorithm::area::ring_area(ring.iter().map(|p| twinedge_geometry::Point::new(p.x, p.y))).abs()
@@ -38,13 +38,13 @@ fn area(feature: &Feature) -> f64 {
     }
 }
 
-/// Squares of side 10 side by side, by their left ends; as WKT.
+/// Returns adjacent squares of side 10 as WKT, given their left ends.
 fn squares(lefts: &[f64]) -> String {
     let square = |x: &f64| format!("POLYGON(({x} 0,{r} 0,{r} 10,{x} 10,{x} 0))\n", r = x + 10.0);
     lefts.iter().map(square).collect()
 }
 
-/// <https://github.com/libgeos/geos/issues/1525>, both rings clockwise, and with a height that rises along the side without the vertex.
+/// <https://github.com/libgeos/geos/issues/1525>, with both rings clockwise, and a height that rises along the side without the vertex.
 #[test]
 fn a_missing_vertex_is_added_and_nothing_else_changes() {
     let ring = |points: &str| format!(r#"{{"type":"Polygon","coordinates":[[{points}]]}}"#);
@@ -64,7 +64,7 @@ fn a_missing_vertex_is_added_and_nothing_else_changes() {
     assert_eq!((again, report.added, report.features), (layer, vec![], vec![]));
 }
 
-/// Parts in their order, a ring that turns clockwise and starts in the middle of a side, two vertices on one side, and a hole.
+/// The order of parts, a clockwise ring that starts in the middle of a side, two vertices on one side, and a hole.
 #[test]
 fn rings_keep_their_order_and_turn_when_vertices_are_added() {
     let wall = "[[5,0],[0,0],[0,9],[9,9],[9,0],[5,0]],[[2,2],[6,2],[6,6],[2,6],[2,2]]";
@@ -99,7 +99,7 @@ fn a_coverage_stays_as_it_is_to_the_byte() {
 
 #[test]
 fn an_overlap_goes_to_whom_is_asked() {
-    // The right one is larger; its part of the overlap is 5.
+    // The right square is larger; its part of the overlap is 5.
     let text = format!("{}POLYGON((9.5 0,25 0,25 10,9.5 10,9.5 0))\n", squares(&[0.0]));
     let areas = |winner| {
         let assign = Options { winner, ..Options::default() };
@@ -114,7 +114,7 @@ fn an_overlap_goes_to_whom_is_asked() {
     assert_eq!(areas(Winner::Last), [95.0, 155.0]);
 }
 
-/// One outer ring turns clockwise, the other counter-clockwise, and so does a hole that is not touched but for its feature.
+/// The first outer ring and its hole are clockwise, the other outer ring is counter-clockwise.
 #[test]
 fn rings_that_are_made_anew_turn_as_those_before() {
     let text = "POLYGON((0 0,0 10,10 10,10 0,0 0),(2 2,2 4,4 4,4 2,2 2))\nPOLYGON((9.5 0,25 0,25 10,9.5 10,9.5 0))\n";
@@ -145,7 +145,7 @@ fn an_accepted_place_without_a_gap_is_reported() {
     assert_eq!((report.accepted_gaps.len(), report.unmet), (1, vec![places[0]]));
 }
 
-/// A feature inside another one keeps its place, also where it sticks out a little; one that does not lie inside loses to the larger.
+/// A feature inside another one keeps its place, even if it sticks out a little; a feature that is not inside loses to the larger one.
 #[test]
 fn a_nested_feature_is_not_emptied() {
     let within = "POLYGON((0 0,30 0,30 30,0 30,0 0))\nPOLYGON((10 10,20 10,20 20,10 20,10 10))\nPOLYGON((12 12,14 12,14 14,12 14,12 12))\n\
@@ -170,7 +170,7 @@ fn of_two_features_at_the_same_place_the_first_stays() {
 
 #[test]
 fn gaps_go_to_the_neighbour_with_the_longest_border() {
-    // Between the three a gap of 0.01 by 10, whose long sides are those of the first and the second.
+    // Between the three features, a gap of 0.01 by 10 whose long sides belong to the first and the second.
     let text = "POLYGON((0 0,10 0,10 10,0 10,0 0))\nPOLYGON((10.01 0,20 0,20 10,10.01 10,10.01 5,10.01 0))\n\
 POLYGON((0 10,10 10,10.01 10,20 10,20 20,0 20,0 10))\nPOLYGON((0 0,0 -9,20 -9,20 0,10.01 0,10 0,0 0))\n";
     let (_, report) = cleaned(
@@ -198,7 +198,7 @@ fn wide_gaps_stay_and_are_counted() {
 
 #[test]
 fn a_gap_that_is_open_to_the_outside_is_closed_up_to_a_width() {
-    // A strip of 0.05 beside both sides of the upper square, and one of 1.
+    // A strip of 0.05 along both sides of the upper square, and a strip of 1.
     let text = "POLYGON((0 0,30 0,30 10,0 10,0 0))\nPOLYGON((0 10.05,30 10.05,30 20,0 20,0 10.05))\nPOLYGON((31 0,40 0,40 20,31 20,31 0))\n";
     let with_width = |gap_width| {
         let assign = Options { gap_width, ..Options::default() };
@@ -216,7 +216,7 @@ fn a_gap_that_is_open_to_the_outside_is_closed_up_to_a_width() {
     assert_eq!(to_geojson(&again), to_geojson(&layer));
 }
 
-/// A crack that begins at the outside and ends at a lake between five features.
+/// A crack from the outside to a lake between five features.
 #[test]
 fn a_crack_that_opens_into_a_lake_is_filled_and_the_lake_stays() {
     let text = "POLYGON((0 0,30 0,30 10,20 10,10 10,0 10,0 0))\nPOLYGON((0 20,10 20,20 20,30 20,30 30,0 30,0 20))\n\
@@ -227,13 +227,13 @@ POLYGON((0 10,10 10,10 14.99,0 15,0 10))\nPOLYGON((0 15,10 15.01,10 20,0 20,0 15
     assert!((filled.area - 0.1).abs() < 1e-6, "{filled:?}");
     let [lake] = &report.wider_gaps[..] else { panic!("{:?}", report.wider_gaps) };
     assert!((lake.area - 100.0).abs() < 1e-6, "{lake:?}");
-    // A notch is no crack.
+    // A notch is not a crack.
     let notch = "POLYGON((0 0,50 0,50 50,46 100,0 100,0 0))\nPOLYGON((50 0,100 0,100 100,54 100,50 50,50 0))\n";
     let (after, report) = with_width_of(&from_text(notch), 1.0);
     assert_eq!((to_geojson(&after), report.left), (to_geojson(&from_text(notch)), None));
 }
 
-/// A spindle of a gap, 10 wide in the middle, comes to a point at both ends.
+/// A spindle-shaped gap, 10 wide in the middle, with a point at both ends.
 #[test]
 fn a_gap_that_is_too_wide_is_left_whole_and_counted() {
     let text = "POLYGON((0 -20,100 -20,100 0,90 0,50 -5,10 0,0 0,0 -20))\nPOLYGON((0 0,10 0,50 5,90 0,100 0,100 20,0 20,0 0))\n";
@@ -261,7 +261,7 @@ fn with_width_of(layer: &Layer, width: f64) -> (Layer, CleanReport) {
 
 #[test]
 fn slivers_go_to_neighbours_or_vanish_but_nothing_vanishes_with_them() {
-    // The first has a sliver inside the second's side, and one far away; the third is nothing but a sliver.
+    // The first feature has a sliver inside the second's side, and one far away; the third feature is only a sliver.
     let text = "MULTIPOLYGON(((0 0,10 0,10 10,0 10,0 0)),((20 0,20.001 0,20.001 10,20 10,20 0)),((50 0,50.001 0,50.001 10,50 10,50 0)))\n\
 POLYGON((10 0,20 0,20 10,10 10,10 0))\nPOLYGON((70 0,70.001 0,70.001 10,70 10,70 0))\n";
     let assign = Options { sliver_area: Some(0.1), ..Options::default() };
@@ -284,7 +284,7 @@ fn spikes_repeated_points_and_open_rings_are_mended() {
 
 #[test]
 fn vertices_keep_their_heights_and_new_ones_lie_between() {
-    // The crossing of the second with the upper side of the first is new.
+    // The crossing of the second feature with the upper side of the first is new.
     let text = "POLYGON Z((0 0 0,10 0 10,10 10 20,0 10 10,0 0 0))\nPOLYGON Z((4 5 1,6 5 1,6 15 3,4 15 3,4 5 1))\n";
     let (layer, report) = cleaned(&from_text(text), &CleanOptions::default());
     assert!(report.left.is_none());
@@ -296,7 +296,7 @@ fn vertices_keep_their_heights_and_new_ones_lie_between() {
 
 #[test]
 fn borders_that_cross_are_cut_and_other_points_stay_where_they_were() {
-    // 0.1 is on no grid of powers of two.
+    // 0.1 lies on no grid of powers of two.
     let text = "POLYGON((0.1 0.1,10.1 0.3,10.1 10.7,0.1 10.3,0.1 0.1))\nPOLYGON((9.3 3.3,20.7 3.1,20.9 7.7,9.3 6.1,9.3 3.3))\n\
 POLYGON((30.1 0.1,40.3 0.1,40.3 10.7,30.1 0.1))\n";
     let before = from_text(text);
@@ -308,7 +308,7 @@ POLYGON((30.1 0.1,40.3 0.1,40.3 10.7,30.1 0.1))\n";
     assert!(rings(&before.features[0])[0].iter().all(|p| of_first[0].contains(p)));
 }
 
-/// Two squares cross and one lies apart, on the left of zero; each of its coordinates is halfway between two points of the grid.
+/// Two squares cross and one lies apart, at negative coordinates; all coordinates are halfway between two points of the grid.
 #[test]
 fn points_halfway_between_two_points_of_the_grid_stay_where_they_were() {
     let half = f64::exp2(-44.0);
@@ -370,7 +370,7 @@ fn what_is_planted_on_the_world_is_mended_and_the_rest_stays() {
     .0;
     let mut planted = world.clone();
     let number = |name: &str| world.features.iter().position(|f| f.name().as_deref() == Some(name)).unwrap();
-    // A corner of Poland that no other country has is moved outwards, over its neighbour, and one of Spain inwards.
+    // A corner that only Poland has is moved outwards, over its neighbour, and a corner of Spain inwards.
     let mut moved = Vec::new();
     for (name, factor) in [("Poland", 1.05), ("Spain", 0.98), ("Mongolia", 1.02)] {
         let number = number(name);
@@ -394,12 +394,12 @@ fn what_is_planted_on_the_world_is_mended_and_the_rest_stays() {
         assert_eq!((&before.id, &before.attributes, &before.members), (&after.id, &after.attributes, &after.members));
         assert!(changed.contains(&i) || before == after);
     }
-    // Neighbours of three countries, and not the world.
+    // Only neighbours of three countries changed.
     assert!(changed.len() < 20, "{changed:?}");
     assert_eq!(to_geojson(&cleaned(&mended, &options).0), to_geojson(&mended));
 }
 
-/// Quadrangles with corners on a small grid, so that all that can meet meets.
+/// Quadrangles with corners on a small grid, so that every kind of contact occurs.
 fn quadrangles(corners: &[(u8, u8)], scale: f64) -> Option<Layer> {
     let polygons: Vec<String> = corners
         .chunks_exact(4)
@@ -426,7 +426,7 @@ quickcheck! {
         let snap = coarse.then_some(Snap::Size(0.5));
         let options = CleanOptions { snap, ..CleanOptions::default() };
         let (once, report) = cleaned(&layer, &options);
-        // Rings that enclose nothing are gone, and then there is no polygon to clean.
+        // Rings that enclose nothing are removed, which may leave no polygon to clean.
         if once.features.iter().all(|feature| feature.geometry.is_none()) {
             return TestResult::discard();
         }
@@ -445,7 +445,7 @@ quickcheck! {
         let Some(layer) = quadrangles(&corners, 0.7) else { return TestResult::discard() };
         let width = if width { 0.2 } else { 0.8 };
         let once = with_width_of(&layer, width).0;
-        // Rings that enclose nothing are gone, and then there is no polygon to clean.
+        // Rings that enclose nothing are removed, which may leave no polygon to clean.
         if once.features.iter().all(|feature| feature.geometry.is_none()) {
             return TestResult::discard();
         }
@@ -454,7 +454,7 @@ quickcheck! {
 
     fn the_area_that_is_covered_stays(corners: Vec<(u8, u8)>) -> TestResult {
         let Some(layer) = quadrangles(&corners, 1.0) else { return TestResult::discard() };
-        // A limit below which there is nothing: only overlaps are resolved.
+        // No part is below this limit: only overlaps are resolved.
         let assign = Options { sliver_area: Some(1e-12), ..Options::default() };
         let winners = [Winner::Inner, Winner::Larger, Winner::Smaller, Winner::First, Winner::Last];
         let covered = winners.map(|winner| {
@@ -467,7 +467,7 @@ quickcheck! {
     }
 }
 
-/// Parcels that overlap, with these ids.
+/// Overlapping parcels with these ids.
 fn overlapping(ids: [&str; 2]) -> Layer {
     let parcel = |id: &str, x: f64| {
         let [x0, x1] = [x, x + 10.0];
@@ -496,7 +496,7 @@ fn ids_outlive_cleaning_and_every_format_that_has_some() {
     }
 }
 
-/// Triangles whose vertices lie within a cell of the grid on which crossings are cut, found by a search of random layers.
+/// Triangles whose vertices lie within a cell of the grid for cutting crossings, found by a search of random layers.
 #[test]
 fn vertices_within_a_cell_of_a_border_are_clean_after_once() {
     let layers = [

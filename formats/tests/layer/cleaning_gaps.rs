@@ -1,4 +1,4 @@
-//! Cleaning: the features that get gaps, and the width up to which gaps are filled.
+//! Cleaning: the features that receive gaps, and the width up to which gaps are filled.
 
 use crate::support::{from_text, to_geojson};
 use twinedge_coverage::clean::{ChangeKind, Options};
@@ -6,7 +6,7 @@ use twinedge_formats::layer::clean::{CleanOptions, CleanReport, GapsTo, GapsToEr
 use twinedge_formats::layer::{Dimensions, Layer, Shape, Value};
 use twinedge_geometry::Point;
 
-/// Two parcels with a crack between them that ends there, a third with a lake in it, and features without polygons.
+/// Two parcels with a crack between them, a third with a lake in it, and features without polygons.
 fn parcels(right: &str) -> Layer {
     let feature = |kind: &str, geometry: &str| {
         format!(r#"{{"type":"Feature","properties":{{"kind":"{kind}","lot":7}},"geometry":{geometry}}}"#)
@@ -42,7 +42,7 @@ fn to(layer: &Layer, kind: &str) -> GapsTo {
     GapsTo::with_value(layer, "kind", kind).unwrap()
 }
 
-/// The first is the longer neighbour of the crack.
+/// The first parcel has the longer border with the crack.
 #[test]
 fn gaps_go_to_the_neighbour_that_has_the_value_or_else_to_the_first_that_has_it() {
     let layer = parcels("10.005");
@@ -54,7 +54,7 @@ fn gaps_go_to_the_neighbour_that_has_the_value_or_else_to_the_first_that_has_it(
         let changed: Vec<usize> = report.features.iter().map(|change| change.feature).collect();
         assert_eq!(changed, [expected], "{kind:?}");
         assert!((report.features[0].area_after - report.features[0].area_before - 0.05).abs() < 1e-9, "{kind:?}");
-        // A part that is as narrow as a gap stays with the feature that was to get it.
+        // A part as narrow as a gap stays with the feature that was to receive it.
         let (again, report) = cleaned(&after, gaps_to);
         assert_eq!((again, report.changes, report.features), (after, vec![], vec![]), "{kind:?}");
     }
@@ -90,7 +90,8 @@ fn a_column_that_is_unknown_or_of_another_type_gets_no_gaps() {
     assert!(matches!(GapsTo::with_value(&layer, "kind", "well"), Ok(GapsTo::New(_))));
 }
 
-/// The lake is 1.5 wide: less than ten times narrower than the median part, and more than ten times wider than the crack.
+/// The lake is 1.5 wide: less than ten times narrower than the median part, and more than ten times wider than the
+/// crack.
 #[test]
 fn the_width_is_that_of_the_widest_gap_below_a_step_of_ten() {
     let layer = parcels("10.02");
@@ -98,17 +99,17 @@ fn the_width_is_that_of_the_widest_gap_below_a_step_of_ten() {
     let chosen = report.chosen.unwrap();
     assert_eq!((chosen.width, chosen.gaps, chosen.next), (0.02, 1, 1.5));
     assert_eq!((report.gap_width, report.wider_gaps.len(), report.left), (Some(0.02), 1, None));
-    // The same width is what a number says.
+    // The chosen width has the effect of a given number.
     let mut same = layer.clone();
     let assign = Options { gap_width: Some(0.02), ..Options::default() };
     let asked = clean(&mut same, &CleanOptions { assign, ..CleanOptions::default() }).unwrap();
     assert_eq!((&same, &asked.features), (&after, &report.features));
-    // There is no step any more, and what is left is said.
+    // There is no further step, and the remaining gaps are reported.
     let (_, again) = cleaned(&after, None);
     assert_eq!((again.chosen, again.gap_width, again.left.map(|left| left.gaps)), (None, None, Some(1)));
 }
 
-/// A parcel with three holes of 1 × 1 in a row, and beside it three slivers that belong to another one.
+/// A parcel with three holes of 1 × 1 in a row, and next to it three slivers of another feature.
 #[test]
 fn gaps_and_slivers_that_reach_out_of_the_window_stay() {
     let hole = |x: u8| format!("({x} 4, {x} 5, {r} 5, {r} 4, {x} 4)", r = x + 1);
@@ -127,7 +128,7 @@ fn gaps_and_slivers_that_reach_out_of_the_window_stay() {
     };
     let all = [ChangeKind::Gap, ChangeKind::Sliver].map(|kind| [2.5, 5.5, 8.5].map(|x| (kind, x))).concat();
     assert_eq!(taken(None), all);
-    // The window is closed: what touches it from inside is in it.
+    // The window is closed: it includes features that touch it from inside.
     let window = [Point::new(5.0, 4.0), Point::new(8.5, 9.01)];
     assert_eq!(taken(Some(window)), [(ChangeKind::Gap, 5.5), (ChangeKind::Sliver, 5.5)]);
     assert_eq!(taken(Some([Point::new(5.0, 4.5), Point::new(8.5, 9.0)])), []);

@@ -1,4 +1,4 @@
-//! The format that a file has.
+//! Detecting the format of a file.
 
 use crate::support::{from_bytes, from_text, scratch, write_as};
 use twinedge_formats::layer::{Format, ReadError, ReadOptions, Shape, read, read_path};
@@ -30,7 +30,7 @@ fn newline_delimited_geojson_may_be_named_as_one_object() {
 fn binary_content_is_what_it_is_whatever_the_name() {
     let (_folder, path) = scratch("parcels.geojson");
     std::fs::write(&path, b"\0\0\x27\x0A").unwrap();
-    // The Shapefile of that name is looked for, and is not there.
+    // The reader looks for a Shapefile of that name, which does not exist.
     let error = read_path(&path, &ReadOptions::default()).unwrap_err().to_string();
     assert!(error.contains("parcels.shp is missing"), "{error}");
 }
@@ -53,7 +53,7 @@ fn formats_of_files_are_refused_as_streams() {
     assert!(!Format::GeoJson.needs_file());
 }
 
-/// By the id of the application in `GeoPackage` 1.0 and 1.1, and by the tables, as other programs write 0.
+/// By the application id in `GeoPackage` 1.0 and 1.1, and by the tables, because other programs write 0.
 #[test]
 fn geopackages_of_all_versions_are_recognised() {
     let (_folder, path) = scratch("layer.gpkg");
@@ -66,7 +66,7 @@ fn geopackages_of_all_versions_are_recognised() {
         std::fs::copy(&path, &named).unwrap();
         assert_eq!(read_path(&named, &ReadOptions::default()).unwrap().features.len(), 1, "{id}");
     }
-    // Another database is none.
+    // Another database is not a GeoPackage.
     let (_third, path) = scratch("notes.gpkg");
     rusqlite::Connection::open(&path).unwrap().execute_batch("CREATE TABLE notes (text)").unwrap();
     assert!(matches!(read_path(&path, &ReadOptions::default()), Err(ReadError::Foreign(_))));

@@ -1,4 +1,4 @@
-//! FlatGeobuf: a file that GDAL wrote, what is written comes back, and hostile files.
+//! FlatGeobuf: a file written by GDAL, round trips, and hostile files.
 
 use crate::support::{from_bytes, from_text, read, scratch, through, world};
 use std::path::Path;
@@ -7,7 +7,7 @@ use twinedge_formats::layer::{
     write_path,
 };
 
-/// `pyogrio` 0.13 with GDAL 3.12.4 wrote it, with an index: two polygons with heights, in EPSG:2056.
+/// Written by `pyogrio` 0.13 with GDAL 3.12.4, with an index: two polygons with heights, in EPSG:2056.
 const PARCELS: &[u8] = include_bytes!("data/parcels.fgb");
 
 fn written(layer: &Layer) -> Vec<u8> {
@@ -37,7 +37,7 @@ fn what_gdal_wrote_is_read() {
             ("open", FieldKind::Bool)
         ]
     );
-    // The index sorts features along a curve: the second one comes first.
+    // The index sorts features along a curve: the second feature comes first.
     assert_eq!(layer.features.len(), 2);
     let of = |small: i64| layer.features.iter().find(|one| one.get("small") == Some(&Value::Integer(small))).unwrap();
     let first = of(1);
@@ -55,7 +55,7 @@ fn what_gdal_wrote_is_read() {
         layer.features.iter().map(|one| one.id.clone()).collect::<Vec<_>>(),
         [Some(Id::Number(0.into())), Some(Id::Number(1.into()))]
     );
-    // All that was read comes back as it was.
+    // Everything read survives a round trip.
     let again = through(&layer, Format::FlatGeobuf);
     assert_eq!(again, layer);
     assert!(losses(&layer, Format::FlatGeobuf).is_empty(), "{:?}", losses(&layer, Format::FlatGeobuf));
@@ -89,7 +89,7 @@ fn the_world_comes_back_in_its_order() {
     for (before, after) in world.features.iter().zip(&again.features) {
         assert_eq!((&before.geometry, &before.attributes), (&after.geometry, &after.attributes));
     }
-    // Its ids are the numbers of countries; three have none.
+    // Its ids are the numbers of countries; three countries have none.
     assert_eq!(losses(&world, Format::FlatGeobuf), [Loss::Ids(174)]);
 }
 
@@ -109,11 +109,11 @@ fn every_value_comes_back_and_what_does_not_is_reported() {
         }
         assert_eq!(before.geometry, after.geometry);
     }
-    // Numbers and texts in a column are texts.
+    // A column of numbers and texts becomes text.
     assert_eq!(again.features[0].get("f"), Some(&Value::Text("7".into())));
 }
 
-/// Polygons and multi-polygons with heights have a common type, which is what users of GDAL can open.
+/// Polygons and multi-polygons with heights get a common type, which users of GDAL can open.
 #[test]
 fn differing_kinds_with_heights_are_declared_as_gdal_declares_them() {
     let polygon = "POLYGON Z((0 0 1,4 0 1,4 4 1,0 0 1))";
@@ -126,7 +126,7 @@ fn differing_kinds_with_heights_are_declared_as_gdal_declares_them() {
     // Without heights, each keeps its kind.
     let flat = from_text("POLYGON((0 0,4 0,4 4,0 0))\nMULTIPOLYGON(((5 5,6 5,6 6,5 5)))\n");
     assert_eq!(geometries(&through(&flat, Format::FlatGeobuf)), geometries(&flat));
-    // A GeoPackage says that heights are allowed (2), and not that all must have them (1).
+    // A GeoPackage declares heights as allowed (2), not as required (1).
     let (_folder, path) = scratch("map.gpkg");
     write_path(&layer, &path, Format::GeoPackage).unwrap();
     let database = rusqlite::Connection::open(&path).unwrap();
@@ -156,7 +156,7 @@ fn lengths_and_counts_beyond_the_data_are_refused() {
         bytes[at..at + new.len()].copy_from_slice(new);
         from_bytes(&bytes).unwrap_err()
     };
-    // The length of the header, and that of the first feature.
+    // The length of the header, and the length of the first feature.
     let error = with(8, &[0xFF; 4]);
     assert!(matches!(error, ReadError::Content { place: Place::Header, cause: Cause::TooMany { .. }, .. }), "{error}");
     // An index of three nodes lies between.
@@ -166,7 +166,7 @@ fn lengths_and_counts_beyond_the_data_are_refused() {
         matches!(error, ReadError::Content { place: Place::Feature(0), cause: Cause::Truncated(_), .. }),
         "{error}"
     );
-    // A version that is not known, and no such file.
+    // An unknown version, and a missing file.
     assert!(with(3, &[9]).to_string().contains("version 9"));
     // One feature fewer, and one more.
     let length = u32::from_le_bytes(bytes[first..first + 4].try_into().unwrap()) as usize + 4;
@@ -210,7 +210,7 @@ fn nesting_has_a_bound() {
     };
     assert!(nested(20).is_ok());
     assert!(nested(32).is_ok());
-    // Deeper ones can be neither read from text nor from binary; here a layer is made.
+    // Deeper ones cannot be read from text or binary; this layer is constructed.
     let mut layer = from_text("POINT(1 2)\n");
     for _ in 0..100 {
         let inner = layer.features[0].geometry.take().unwrap();

@@ -1,4 +1,4 @@
-//! Features of GeoJSON are cut out of the text and read at once: the outcome is that of the library, which reads byte by byte.
+//! Features of GeoJSON are cut out of the text and read at once, with the same outcome as the library's reading byte by byte.
 
 use std::io::{self, Read};
 use twinedge_formats::io::geojson::{Documents, Part};
@@ -6,7 +6,7 @@ use twinedge_formats::io::{ReadError as TextError, ReadSummary, geojson};
 use twinedge_formats::layer::{Format, ReadError, ReadOptions, format_of, read, to_map};
 use twinedge_map::Feature;
 
-/// Collections with all that may stand between, in and around features.
+/// Collections with everything that may stand between, in and around features.
 const TEXTS: [&str; 8] = [
     r#"{"type":"FeatureCollection","features":[]}"#,
     r#"{"type":"FeatureCollection","features":[ {"type":"Feature","properties":{"name":"a"},"geometry":{"type":"Point","coordinates":[1,2]}}]}"#,
@@ -21,7 +21,7 @@ const TEXTS: [&str; 8] = [
     r#"{"type":"FeatureCollection","x":{"features":[{"type":"Feature","geometry":null}]},"features":[{"type":"Feature","geometry":{"type":"MultiPoint","coordinates":[[1,2],[3,4]]}},{"type":"Feature","geometry":null}]}"#,
 ];
 
-/// The features, and the error, if there is one.
+/// The features, and the error, if any.
 type Outcome = (Vec<Feature>, Option<String>);
 
 fn whole(reader: impl Read) -> Outcome {
@@ -62,7 +62,7 @@ impl Random {
     }
 }
 
-/// Gives so many bytes at once, at most, is interrupted before each, and fails at the end, if it is to.
+/// A reader that returns a limited number of bytes at a time, is interrupted before each, and can fail at the end.
 struct Pieces<'a> {
     bytes: &'a [u8],
     piece: usize,
@@ -86,7 +86,7 @@ impl Read for Pieces<'_> {
 
 fn compare(text: &[u8]) {
     let (mut found, expected) = (whole(text), byte_by_byte(text));
-    // The parser may look at what follows an error.
+    // The parser may read past an error.
     if expected.1.is_some() {
         found.0.truncate(expected.0.len());
     }
@@ -116,7 +116,7 @@ fn wrong_texts_have_the_errors_and_places_of_byte_by_byte() {
                 1 => drop(text.remove(at)),
                 2 => text.insert(at, BYTES[random.below(BYTES.len())]),
                 3 => text[at] = BYTES[random.below(BYTES.len())],
-                // Part of the text once more, or not at all.
+                // A part of the text is repeated or removed.
                 _ => {
                     let other = random.below(text.len());
                     let part = text[at.min(other)..at.max(other)].to_vec();
@@ -128,7 +128,7 @@ fn wrong_texts_have_the_errors_and_places_of_byte_by_byte() {
                 text.push(b' ');
             }
         }
-        // Others are not given to that reader.
+        // The reader does not get other formats.
         let options = ReadOptions { format: Some(Format::GeoJson), ..ReadOptions::default() };
         if format_of(&text, None, &options).is_ok_and(|format| format == Format::GeoJson) {
             compare(&text);
@@ -139,7 +139,7 @@ fn wrong_texts_have_the_errors_and_places_of_byte_by_byte() {
     assert!(judged > 4_500 && failed > 3_000, "{judged} {failed}");
 }
 
-/// A text of more than is looked at to tell the format.
+/// A text longer than the beginning that decides the format.
 fn long() -> String {
     let feature = |i: usize| {
         let line: Vec<String> = (0..i % 40).map(|k| format!("[{i},{k}.5]")).collect();

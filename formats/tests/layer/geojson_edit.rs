@@ -1,4 +1,4 @@
-//! GeoJSON that is changed in place: what was right is the same to the byte, and binary formats keep coordinates to the bit.
+//! GeoJSON changed in place: valid features stay equal byte by byte, and binary formats keep coordinates to the bit.
 
 use crate::support::{from_text, through, to_geojson};
 use serde_json::{Value, json};
@@ -6,8 +6,8 @@ use twinedge_coverage::clean::Options;
 use twinedge_formats::layer::clean::{CleanOptions, GapsTo, clean};
 use twinedge_formats::layer::{Format, Layer, ReadOptions, edited, edits, read_layer};
 
-/// Four squares in a row, the second of which reaches half a unit into the first, and the others of which are right; numbers, white space
-/// and the order of members as nobody here writes them.
+/// Four squares in a row, the second of which reaches half a unit into the first; the others are valid. Numbers, white space and the order of members
+/// are unusual.
 const SQUARES: &str = r#" {"features" : [
   { "geometry": {"coordinates":[ [[0.0,0],[1e1,0],[10,10],[0,10],[0.0,0]] ], "type":"Polygon"},"type":"Feature", "properties" : {"a":1.50, "b":"\u00fc"}},
   { "type":"Feature","bbox":[9.5,0,20,10],"properties":null,
@@ -18,7 +18,7 @@ const SQUARES: &str = r#" {"features" : [
 
 "#;
 
-/// The text after cleaning, the layer that it is, and the numbers of what changed.
+/// Returns the text after cleaning, its layer, and the numbers of the changed features.
 fn cleaned(text: &str, format: Format, gaps_to: Option<GapsTo>) -> (Option<String>, Layer, Vec<usize>) {
     let options = ReadOptions { format: Some(format), ..ReadOptions::default() };
     let mut layer = read_layer(&mut text.as_bytes(), None, &options).unwrap();
@@ -42,7 +42,7 @@ fn features_that_are_right_stay_to_the_byte() {
         after.contains(r#""properties" : {"a":1.50, "b":"\u00fc"}}"#) && after.ends_with("\"more\": {\"x\":1.0} }\n\n")
     );
     assert_eq!(from_text(&after).features, layer.features);
-    // Nothing is wrong with it any more.
+    // It has no faults any more.
     let (again, _, changed) = cleaned(&after, Format::GeoJson, None);
     assert_eq!((again, changed), (Some(after), vec![]));
 }
@@ -90,7 +90,7 @@ fn a_text_without_room_for_a_change_is_not_changed_in_place() {
     assert_eq!(edits(SQUARES, Format::GeoJson, 3, &layer, &[]), None, "another number of features");
     assert_eq!(edits(SQUARES, Format::Wkt, 4, &layer, &[]), None);
     assert_eq!(edits("{", Format::GeoJson, 4, &layer, &[]), None);
-    // A box that is none any more takes its feature with it, and nothing else.
+    // Dropping a box only drops its feature.
     let mut gone = layer.clone();
     gone.features[1].geometry = None;
     gone.features[1].members.clear();
@@ -98,7 +98,7 @@ fn a_text_without_room_for_a_change_is_not_changed_in_place() {
     assert_eq!(from_text(&after), gone);
 }
 
-/// Squares of a row whose borders are no short fractions; the second reaches into the first.
+/// Squares in a row whose borders are not short fractions; the second reaches into the first.
 #[test]
 fn binary_formats_keep_the_coordinates_of_what_is_right_to_the_bit() {
     let square = |i: u32| {
@@ -107,7 +107,7 @@ fn binary_formats_keep_the_coordinates_of_what_is_right_to_the_bit() {
     };
     let before = from_text(&(0..4).map(square).collect::<String>());
     for format in [Format::Wkb, Format::FlatGeobuf, Format::GeoParquet, Format::GeoPackage, Format::Shapefile] {
-        // The changes of the format itself, as in the order of rings, are made first.
+        // The conversion's own changes, such as the order of rings, come first.
         let before = through(&before, format);
         let mut after = before.clone();
         let report = clean(&mut after, &CleanOptions::default()).unwrap();

@@ -1,4 +1,4 @@
-//! Files of GeoJSON whose features are read one by one, and replaced.
+//! GeoJSON files whose features are read and replaced one by one.
 
 use crate::support::scratch;
 use std::fs;
@@ -16,7 +16,7 @@ fn open(path: &Path) -> Result<(GeoJsonFile, Vec<Feature>), FileError> {
     Ok((file, features))
 }
 
-/// The second and the last feature lose their geometries; the text is that of changes of the whole text.
+/// Removes the geometries of the second and the last feature, and compares the text with a change of the whole text.
 fn replaced_as_in_the_whole(text: &str, name: &str) {
     let (_folder, path) = scratch(name);
     fs::write(&path, text).unwrap();
@@ -33,7 +33,7 @@ fn replaced_as_in_the_whole(text: &str, name: &str) {
 
     let mut changed = vec![1.min(features.len() - 1), features.len() - 1];
     changed.dedup();
-    // A change that is taken back is none.
+    // A change that is undone is not a change.
     file.replace(0, Some(&Feature::default())).unwrap();
     file.replace(0, None).unwrap();
     for number in &changed {
@@ -82,7 +82,7 @@ fn what_changes_is_what_changes_in_the_whole_text() {
     replaced_as_in_the_whole(&one, "layer.geojson");
     replaced_as_in_the_whole(&format!("{one}\n{two}\r\n\n{three}"), "layer.geojsonl");
     replaced_as_in_the_whole(&format!("\u{1e}{one}\n\u{1e}{two}\n\u{1e}{three}\n"), "layer.geojsonl");
-    // A geometry without a feature around it becomes one.
+    // A geometry without a feature around it becomes a feature.
     replaced_as_in_the_whole(&format!("{one}\n{{\"type\":\"Point\",\"coordinates\":[5,6]}}\n"), "layer.geojsonl");
 }
 
@@ -94,7 +94,7 @@ fn a_file_that_is_no_geojson_or_changes_is_an_error() {
     assert!(matches!(open(&wkt), Err(FileError::Format(Format::Wkt))));
     fs::write(&path, "{\"type\":\"Feature\",\n").unwrap();
     assert!(matches!(open(&path), Err(FileError::Read(_))));
-    // The name of the array is written in a way that is not looked for.
+    // The name of the array is written in a form that the reader does not look for.
     let point = r#"{"type":"Feature","properties":null,"geometry":null}"#;
     let odd = format!(r#"{{"type":"FeatureCollection","\u0066eatures":[{point},{point}]}}"#);
     fs::write(&path, odd).unwrap();

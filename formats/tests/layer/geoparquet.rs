@@ -1,4 +1,4 @@
-//! `GeoParquet`: a file that others wrote, what is written comes back, Parquet's own type of geometries, and hostile files.
+//! `GeoParquet`: a file from other programs, round trips, Parquet's own type of geometries, and hostile files.
 
 use crate::support::{from_text, read, scratch, through, world};
 use parquet::basic::{ConvertedType, LogicalType, Repetition, Type as Physical};
@@ -16,7 +16,7 @@ use twinedge_formats::layer::{
     Cause, Crs, Dimensions, Feature, FieldKind, Format, Layer, Loss, Place, ReadError, Shape, Value, losses, write_path,
 };
 
-/// `geopandas` 1.2.0 and `pyarrow` 26.0.1 wrote it: two features, the second without geometry, in EPSG:2056, with a column of boxes.
+/// Written by `geopandas` 1.2.0 and `pyarrow` 26.0.1: two features, the second without geometry, in EPSG:2056, with a column of boxes.
 const PARCELS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/layer/data/parcels.parquet");
 
 /// The point (1, 2) in well-known binary.
@@ -30,7 +30,7 @@ fn geo_of(path: &Path) -> Json {
     serde_json::from_str(entry.value.as_ref().unwrap()).unwrap()
 }
 
-/// Writes a file of one row and one column of geometries, with this type and these metadata.
+/// Writes a file with one row and one column of geometries, with this type and metadata.
 fn write_point(path: &Path, logical: Option<LogicalType>, metadata: &[(&str, &str)]) {
     let column = Type::primitive_type_builder("shape", Physical::BYTE_ARRAY)
         .with_repetition(Repetition::REQUIRED)
@@ -49,7 +49,7 @@ fn write_point(path: &Path, logical: Option<LogicalType>, metadata: &[(&str, &st
     writer.close().unwrap();
 }
 
-/// The cause for which a file is refused as a whole.
+/// Returns the reason for refusing a file as a whole.
 fn refused(path: &Path) -> String {
     match read(path).unwrap_err() {
         ReadError::Content { format: Format::GeoParquet, place: Place::Header, cause: Cause::Invalid(message) } => {
@@ -124,7 +124,7 @@ fn what_geopandas_wrote_is_read() {
 fn what_was_read_comes_back() {
     let layer = read(Path::new(PARCELS)).unwrap();
     let kinds: Vec<Loss> = losses(&layer, Format::GeoParquet);
-    // A nanosecond is finer than what is written, and whole numbers of 64 bits without sign are no numbers of the model.
+    // Nanoseconds are finer than the written precision, and the model has no unsigned 64-bit integers.
     let lost = |column: &str, from, to| Loss::Type { column: column.to_owned(), from, to };
     assert_eq!(
         kinds,
@@ -139,7 +139,7 @@ fn what_was_read_comes_back() {
         }
     }
     assert_eq!(again.header.crs, layer.header.crs);
-    // From now on nothing changes.
+    // Further round trips change nothing.
     assert!(losses(&again, Format::GeoParquet).is_empty());
     assert_eq!(through(&again, Format::GeoParquet), again);
 }
@@ -163,7 +163,7 @@ fn several_row_groups_come_back_in_order() {
     assert_eq!(again.features, layer.features);
 }
 
-/// The description is that of the specification, version 1.1.0.
+/// The expected metadata follow the specification, version 1.1.0.
 #[test]
 fn the_metadata_describe_the_geometries() {
     let (_folder, path) = scratch("world.parquet");
@@ -180,7 +180,7 @@ fn the_metadata_describe_the_geometries() {
         geometry.shape.visit(&mut |p| (least, greatest) = (least.min(p.x), greatest.max(p.x)));
     }
     assert_eq!((bbox[0], bbox[2]), (least, greatest));
-    // Some lie beyond 180 degrees, so it is not known that they are longitudes. Longitudes and latitudes need no reference system.
+    // Some coordinates exceed 180 degrees, so they are not known to be longitudes. Longitudes and latitudes need no reference system.
     assert_eq!(column.get("crs"), Some(&Json::Null));
     write_path(
         &from_text(r#"{"type":"Point","coordinates":[1,2]}"#),
@@ -213,7 +213,7 @@ fn reference_systems_come_back() {
     write_path(&layer(Some(Crs::epsg(2056))), &path, Format::GeoParquet).unwrap();
     let crs = geo_of(&path)["columns"]["geometry"]["crs"].clone();
     assert_eq!((&crs["type"], &crs["id"]), (&json!("ProjectedCRS"), &json!({"authority": "EPSG", "code": 2056})));
-    // No number leads from a text to a definition.
+    // A text without a number has no known definition.
     let unknown = Crs { wkt: Some("LOCAL_CS[\"x\"]".into()), ..Crs::default() };
     assert_eq!(losses(&layer(Some(unknown)), Format::GeoParquet), [Loss::Crs("x".into())]);
     assert_eq!(losses(&layer(Some(Crs::epsg(99_999))), Format::GeoParquet), [Loss::Crs("EPSG:99999".into())]);
@@ -247,7 +247,7 @@ fn what_cannot_be_held_is_said() {
     );
 }
 
-/// The value of the metadata of a file under a key.
+/// Returns the value under a key in a file's metadata.
 fn entry_of(path: &Path, key: &str) -> Option<String> {
     let reader = SerializedFileReader::new(File::open(path).unwrap()).unwrap();
     let entries = reader.metadata().file_metadata().key_value_metadata().unwrap();
@@ -265,7 +265,7 @@ fn ids_are_a_column_that_the_metadata_name() {
         assert_eq!(read(&path).unwrap().features, layer.features);
         (folder, path)
     };
-    // As GDAL names the column of its ids. That of the layer keeps its name.
+    // The column of ids is named as by GDAL. The layer's own column keeps its name.
     let (_folder, path) = file([r#","id":-7"#, ""]);
     let schema: Json = serde_json::from_str(&entry_of(&path, "gdal:schema").unwrap()).unwrap();
     assert_eq!(schema, json!({"fid": "fid_1", "columns": {}}));
@@ -285,7 +285,7 @@ fn metadata_that_name_no_column_of_ids_are_none() {
     }
 }
 
-/// Dates and times that are not written as they are read would come back changed.
+/// Dates and times whose text would not survive a round trip stay text.
 #[test]
 fn moments_are_moments_only_if_they_come_back_as_they_were() {
     let through = |values: &[Value]| {
@@ -301,7 +301,7 @@ fn moments_are_moments_only_if_they_come_back_as_they_were() {
     for text in ["2026-01-31T12:00:00+01:00", "2026-01-31 12:00:00Z", "2026-01-31T12:00:00.500000Z", "yesterday"] {
         assert_eq!(through(&[moment(text)]), [Value::Text(text.to_owned())]);
     }
-    // Those with a time zone and those without are no one type.
+    // Moments with and without a time zone have no common type.
     let mixed = [moment("2026-01-31T12:00:00Z"), moment("2026-01-31T12:00:00")];
     assert!(through(&mixed).iter().all(|value| matches!(value, Value::Text(_))));
     assert_eq!(through(&[Value::Date("2024-02-30".into())]), [Value::Text("2024-02-30".into())]);
@@ -325,7 +325,7 @@ fn the_own_type_of_parquet_is_read() {
     assert_eq!(crs("nonsense", &[]), None);
     write_point(&path, Some(LogicalType::geometry(None)), &[]);
     assert_eq!(read(&path).unwrap().header.crs, Some(Crs::epsg(4326)));
-    // Edges that are not straight on the map are said, and kept.
+    // The reader reports and keeps edges that are not straight on the map.
     write_point(&path, Some(LogicalType::geography(None, None)), &[]);
     let round = read(&path).unwrap();
     assert_eq!(round.header.members.get("edges"), Some(&json!("spherical")));
@@ -365,7 +365,7 @@ fn what_is_not_read_is_refused_with_a_reason() {
     }
 }
 
-/// The crate `parquet` has no value for these.
+/// The crate `parquet` has no value for intervals.
 #[test]
 fn intervals_are_refused() {
     let (_folder, path) = scratch("interval.parquet");
@@ -389,7 +389,7 @@ fn intervals_are_refused() {
     assert_eq!(refused(&path), "the column lease has intervals of time, which are not read here");
 }
 
-/// A file is its metadata, at the end: each beginning of it is refused, and whatever a changed byte makes of it, an answer comes.
+/// The metadata are at the end of a file: each prefix of it is refused, and for any changed byte the reader returns.
 #[test]
 fn damaged_files_are_refused() {
     let original = fs::read(PARCELS).unwrap();
@@ -417,7 +417,7 @@ fn damaged_files_are_refused() {
     assert!(refused > 100 && changed > 10, "{refused} refused, {changed} changed");
 }
 
-/// `GeoArrow`'s encodings are refused with the way out; a text in the place of PROJJSON, as `DuckDB` wrote it, is read.
+/// `GeoArrow`'s encodings are refused with advice; text in place of PROJJSON, as written by `DuckDB`, is read.
 #[test]
 fn other_encodings_say_the_way_out_and_a_reference_system_may_be_a_text() {
     let (_folder, path) = scratch("point.parquet");

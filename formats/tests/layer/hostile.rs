@@ -1,4 +1,5 @@
-//! Files that are truncated, changed or lie: an error, or a layer, and never a panic or memory beyond the data.
+//! Files that are truncated, changed or false lead to an error or a layer, but never to a panic or memory beyond the
+//! data.
 
 use crate::support::{from_bytes, from_text, read, scratch, world};
 use std::fs;
@@ -47,7 +48,7 @@ fn wrong_digits_have_a_line() {
     );
 }
 
-/// Each byte of a file changed in some ways, and each beginning of it: whatever comes out, it comes.
+/// Calls `each` with some changes of each byte of a file, and with each prefix; the reader must return.
 fn changed(extension: &str, original: &[u8], mut each: impl FnMut(&[u8])) {
     let step = (original.len() / 400).max(1);
     for at in (0..original.len()).step_by(step) {
@@ -84,7 +85,7 @@ fn a_shapefile_that_promises_too_much_is_refused() {
     let (_folder, path) = scratch("map.shp");
     write_path(&from_text("LINESTRING(0 0,1 1)\n"), &path, Format::Shapefile).unwrap();
     let original = fs::read(&path).unwrap();
-    // The number of parts, the number of points, where the part starts, the length of the record.
+    // The number of parts, the number of points, the start of the part, the length of the record.
     for at in [144, 148, 152, 104] {
         let mut bytes = original.clone();
         bytes[at..at + 4].copy_from_slice(&[0xFF, 0xFF, 0xFF, 0x7F]);
@@ -124,7 +125,7 @@ fn geometries_of_a_geopackage_are_checked() {
 fn every_beginning_of_geojson_is_refused() {
     let mut text = Vec::new();
     write(&from_text("POLYGON((0 0,4 0,4 4,0 0))\n"), &mut text, Format::GeoJson).unwrap();
-    // Without the line break at the end it is whole.
+    // Without the final line break, the text is complete.
     for end in 0..text.len() - 1 {
         assert!(from_bytes(&text[..end]).is_err(), "{end}");
     }

@@ -1,4 +1,4 @@
-//! Windows that are read by boxes: the same features as by reading all, less that is read, and boxes that lie.
+//! Reading windows by boxes: the same features as by reading everything, less reading, and false boxes.
 
 use crate::support::{read, scratch, write_as};
 use parquet::basic::{Repetition, Type as Physical};
@@ -17,7 +17,7 @@ use twinedge_geometry::Point;
 
 const ACROSS: u32 = 40;
 
-/// The square with this number: 40 in a row.
+/// The square with this number, with 40 in a row.
 fn square(number: u32) -> [f64; 4] {
     let [x, y] = [number % ACROSS, number / ACROSS].map(f64::from);
     [x, y, x + 1.0, y + 1.0]
@@ -33,7 +33,7 @@ fn squares(count: u32) -> Layer {
     Layer { features: (0..count).map(feature).collect(), ..Layer::default() }
 }
 
-/// The numbers of the features in a window, each of which has the geometry that it has in the layer.
+/// Returns the numbers of the features in a window, whose geometries must equal the layer's.
 fn found(file: &mut Indexed, [x0, y0, x1, y1]: [f64; 4], layer: &Layer) -> Result<Vec<u64>, ReadError> {
     let mut found = Vec::new();
     let corners = [Point::new(x0, y0), Point::new(x1, y1)];
@@ -48,12 +48,12 @@ fn open(path: &Path) -> Indexed {
     Indexed::open(path, &ReadOptions::default()).unwrap().unwrap()
 }
 
-/// A box of a row group, and the rows with their boxes.
+/// The box of a row group, and its rows with their boxes.
 struct Group {
     rows: Vec<(Geometry, Option<[f64; 4]>)>,
 }
 
-/// Writes `GeoParquet` with these boxes, of 32 or 64 bits.
+/// Writes `GeoParquet` with these boxes, as 32-bit or 64-bit floats.
 fn write_groups(path: &Path, groups: &[Group], is_narrow: bool) {
     let of = |name: &str, kind, repetition| {
         Arc::new(Type::primitive_type_builder(name, kind).with_repetition(repetition).build().unwrap())
@@ -112,7 +112,7 @@ fn wkb(geometry: &Geometry) -> Vec<u8> {
     bytes
 }
 
-/// Row groups of 40 squares, a row of the drawing each.
+/// Row groups of 40 squares, one for each row of the drawing.
 fn rows_of_squares(count: u32) -> Vec<Group> {
     let of = |first: u32| Group {
         rows: (first..(first + ACROSS).min(count)).map(|one| (ring(square(one)), Some(square(one)))).collect(),
@@ -147,7 +147,7 @@ fn a_window_has_the_features_whose_boxes_meet_it() {
         let everything = [f64::NEG_INFINITY, f64::NEG_INFINITY, f64::INFINITY, f64::INFINITY];
         let before = file.amount();
         assert_eq!(found(&mut file, everything, &layer).unwrap().len(), 1600);
-        // Four windows were a small part of it.
+        // The four windows were a small part of the file.
         let all = file.amount().bytes - before.bytes;
         assert!(before.bytes * 100 < all * most * 4, "{} of {all}", before.bytes);
         assert_eq!((before.of_features, file.amount().of_bytes), (1600, fs::metadata(path).unwrap().len()));
@@ -200,7 +200,7 @@ fn files_without_boxes_have_no_windows() {
     assert_eq!(found(&mut open(&wide), [0.5, 0.5, 0.5, 0.5], &layer).unwrap(), [0, 3]);
 }
 
-/// The places at which windows over all of the plane find that boxes lie.
+/// Returns the places at which windows over the whole plane detect false boxes.
 fn lies(path: &Path, layer: &Layer) -> Vec<Place> {
     let mut file = open(path);
     let mut lies = Vec::new();
@@ -245,7 +245,7 @@ fn boxes_that_lie_are_found_by_some_window() {
         let found = lies(&path, &layer);
         assert!(!found.is_empty() && found.iter().all(|place| *place == liar), "{message}: {found:?}");
     }
-    // The place of a row is unknown if its box says nothing. The row is read with its row group, whose box is that of the other rows.
+    // A row whose box is useless has no known place. It is read with its row group, whose box covers the other rows.
     for extent in [Some([x1, y0, x0, y1]), Some([nan; 4])] {
         let mut groups = rows_of_squares(80);
         groups[1].rows[7].1 = extent;
@@ -265,7 +265,7 @@ fn the_box_of_a_row_lies_in_that_of_its_row_group() {
     let layer = squares(80);
     let (_folder, path) = scratch("squares.parquet");
     write_groups(&path, &rows_of_squares(80), false);
-    // The statistics say that the upper sides of the second row group are at 1.5; they are at 2.
+    // The statistics claim that the upper sides of the second row group are at 1.5; they are at 2.
     let mut bytes = fs::read(&path).unwrap();
     let end = bytes.len() - 8;
     let footer = end - u32::from_le_bytes(bytes[end..end + 4].try_into().unwrap()) as usize;
@@ -286,7 +286,7 @@ fn the_box_of_a_row_lies_in_that_of_its_row_group() {
 #[test]
 fn how_far_a_layer_reaches_is_not_known_if_it_is_not_of_one_row() {
     let (_folder, path) = scratch("squares.parquet");
-    // One without a box, and one across the antimeridian, beside others that say where they are.
+    // A row without a box, and a row across the antimeridian, among rows with boxes.
     for extent in [None, Some([178.0, 1.0, -178.0, 2.0])] {
         let mut groups = rows_of_squares(80);
         let moved = Group { rows: vec![(ring([178.0, 1.0, 182.0, 2.0]), extent), (ring(square(3)), Some(square(3)))] };
@@ -301,7 +301,7 @@ fn how_far_a_layer_reaches_is_not_known_if_it_is_not_of_one_row() {
     }
 }
 
-/// The bytes of the index of a file of 300 squares: its nodes are 1, 2, 19 and 300.
+/// The numbers of nodes in the index of a file of 300 squares.
 const NODES: [usize; 4] = [1, 2, 19, 300];
 
 #[test]
@@ -331,7 +331,7 @@ fn an_index_that_lies_is_found_by_some_window() {
         start += 40 * count;
     }
     assert_eq!(caught, 4 * (1 + 2 + 19 + 43));
-    // A tree of boxes without corners in order is read to its leaves; what it hides from the boxes around is found.
+    // A tree without ordered boxes is read to its leaves, which reveals features outside of the boxes above.
     let hidden = start - 40 * 300 + 40 * 290;
     let mut damaged = bytes.clone();
     damaged[hidden..hidden + 8].copy_from_slice(&f64::INFINITY.to_le_bytes());
@@ -358,7 +358,7 @@ fn an_index_in_another_order_is_refused() {
         let error = found(&mut open(&path), everything, &layer).unwrap_err().to_string();
         assert!(error.contains("the index does not list the features in their order"), "{error}");
     }
-    // A feature before the first one: all others would have wrong numbers.
+    // An additional feature at the beginning: all others would have false numbers.
     let features = leaf(40);
     let first = 4 + u32::from_le_bytes(bytes[features..features + 4].try_into().unwrap()) as usize;
     let mut more = [&bytes[..features + first], &bytes[features..]].concat();
@@ -395,7 +395,8 @@ fn what_gdal_and_geopandas_wrote_has_windows() {
     }
 }
 
-/// `pyarrow` 26.0.1 wrote it, with Parquet's own type of geometries: 64 squares, eight in a row and sixteen in a row group; number 20 has no geometry.
+/// Written by `pyarrow` 26.0.1 with Parquet's own type of geometries: 64 squares, eight in a row and sixteen in a row group; number 20 has no
+/// geometry.
 #[test]
 fn windows_are_read_by_the_statistics_of_parquets_own_geometries() {
     let path = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/layer/data/native.parquet"));
@@ -411,7 +412,7 @@ fn windows_are_read_by_the_statistics_of_parquets_own_geometries() {
         let y = f64::from(group) * 2.0 + 1.5;
         let window = [3.5, y, 3.75, y];
         let before = file.amount().bytes;
-        // The rows of the group have no boxes of their own.
+        // The rows of the group have no separate boxes.
         let first = u64::from(group) * 16;
         assert_eq!(found(&mut file, window, &layer).unwrap(), (first..first + 16).collect::<Vec<_>>());
         let read = file.amount().bytes - before;

@@ -1,4 +1,4 @@
-//! Losses of a format are said, and then refused or suffered as said.
+//! Losses of a format are announced, and then refused or incurred as announced.
 
 use crate::support::{from_bytes, from_text, through};
 use twinedge_formats::layer::{Crs, Format, Layer, Loss, Shape, WriteError, losses, refuse_losses, write, write_path};
@@ -67,7 +67,7 @@ fn a_definition_that_esri_does_not_read_is_not_written_silently() {
     let (_folder, path) = crate::support::scratch("point.shp");
     write_path(&layer, &path, Format::Shapefile).unwrap();
     assert!(!path.with_extension("prj").exists());
-    // The number tells more than the text.
+    // The number identifies more than the text.
     layer.header.crs = Some(Crs { wkt: Some(wkt2.into()), ..Crs::epsg(2056) });
     assert!(losses(&layer, Format::Shapefile).is_empty());
     write_path(&layer, &path, Format::Shapefile).unwrap();
@@ -127,7 +127,7 @@ fn open_rings_are_closed_in_every_format_and_it_is_said() {
     for format in formats {
         assert_eq!(losses(&layer, format), [Loss::OpenRings(1)], "{format}");
         refuse_losses(&layer, format).unwrap();
-        // A Shapefile has no order of polygons, and its holes turn the other way.
+        // A Shapefile has no order of polygons, and its holes have the opposite orientation.
         let positions = |layer: &Layer| {
             let mut count = 0;
             layer.features[0].geometry.as_ref().unwrap().shape.visit(&mut |_| count += 1);
@@ -138,7 +138,7 @@ fn open_rings_are_closed_in_every_format_and_it_is_said() {
     assert_eq!(Loss::OpenRings(1).to_string(), "an open ring, which is closed");
 }
 
-/// As hexadecimal digits, PostGIS writes the same as `MULTIPOINT (EMPTY, (1 2))`.
+/// PostGIS writes the equivalent of `MULTIPOINT (EMPTY, (1 2))` as hexadecimal digits.
 #[test]
 fn empty_points_of_multi_points_are_kept_or_said_to_be_lost() {
     let digits = "01040000000200000001010000000000000000\
@@ -160,12 +160,12 @@ fn empty_points_of_multi_points_are_kept_or_said_to_be_lost() {
         let shape = again.features[0].geometry.as_ref().map(|geometry| &geometry.shape);
         assert!(matches!(shape, Some(Shape::MultiPoint(points)) if points.len() == 1), "{format}: {shape:?}");
     }
-    // With heights, in a collection, and where nothing but empty points is there.
+    // With heights, in a collection, and with only empty points.
     let text = "GEOMETRYCOLLECTION Z(MULTIPOINT Z(EMPTY,(1 2 3)))\nMULTIPOINT(EMPTY,EMPTY)\nPOINT EMPTY\n";
     let mut written = Vec::new();
     write(&from_text(text), &mut written, Format::Wkt).unwrap();
     assert_eq!(String::from_utf8(written).unwrap(), text);
-    // Numbers that are none stand for an empty point, as in well-known binary.
+    // NaN stands for an empty point, as in well-known binary.
     assert_eq!(from_text("POINT(nan NaN)").features, from_text("POINT EMPTY").features);
     assert!(from_bytes(b"LINESTRING(nan nan, 1 2)").unwrap_err().to_string().contains("out of range"));
 }

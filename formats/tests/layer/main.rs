@@ -1,4 +1,4 @@
-//! Layers: what is read, what is written, what is refused, and cleaning.
+//! Layers: reading, writing, refusals, and cleaning.
 #![allow(clippy::needless_pass_by_value, reason = "quickcheck hands properties their input by value")]
 
 mod archives;

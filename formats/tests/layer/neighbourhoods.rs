@@ -1,4 +1,4 @@
-//! Neighbourhoods that are near each other, cleaned one after the other as the whole is.
+//! Cleaning adjacent neighbourhoods one after the other equals cleaning the whole layer.
 
 use twinedge_coverage::clean::{Options, Winner};
 use twinedge_formats::layer::clean::{
@@ -6,7 +6,7 @@ use twinedge_formats::layer::clean::{
 };
 use twinedge_formats::layer::{Dimensions, Feature, Geometry, Layer, Position, Shape};
 
-/// Features as they were, and as they are now.
+/// The features before and after cleaning.
 struct Kept {
     before: Vec<Feature>,
     now: Vec<Feature>,
@@ -39,13 +39,13 @@ fn boxes<const N: usize>(all: [[f64; 4]; N]) -> Vec<Feature> {
     all.map(feature).to_vec()
 }
 
-/// The first of two features that overlap keeps the place.
+/// The first of two overlapping features keeps the place.
 fn options() -> CleanOptions {
     let assign = Options { winner: Winner::First, sliver_area: Some(0.01), ..Options::default() };
     CleanOptions { assign, ..CleanOptions::default() }
 }
 
-/// The features that are left, and what was done.
+/// Returns the remaining features and the result.
 fn cleaned(before: &[Feature], concerned: &[Vec<usize>], most: u64) -> (Vec<Feature>, Neighbourhoods) {
     let extents = before.iter().map(Extent::of).collect();
     let mut source = Kept { before: before.to_vec(), now: before.to_vec(), extents };
@@ -66,7 +66,7 @@ fn a_feature_that_two_neighbourhoods_change_makes_one_of_them() {
 
 #[test]
 fn what_a_neighbourhood_changed_is_undone_if_it_becomes_part_of_one_that_is_too_large() {
-    // The first two overlap, and so do the last two. The box around the last two meets that of the first two, which neither of them does.
+    // The first two overlap, and so do the last two. The boxes around both pairs meet, but the pairs do not.
     let before =
         boxes([[30.0, 3.0, 34.0, 5.0], [33.0, 3.0, 38.0, 5.0], [40.0, 3.0, 44.0, 9.0], [30.0, 6.0, 41.0, 8.0]]);
     let mut whole = Layer { features: before.clone(), ..Layer::default() };

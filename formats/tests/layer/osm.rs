@@ -11,7 +11,7 @@ use twinedge_formats::layer::{Crs, Feature, Position, Shape, to_map};
 use twinedge_geometry::Point;
 use twinedge_map::Shape as MapShape;
 
-/// Two squares side by side, west and east of way 10, and a third one around both with them as its hole.
+/// Two adjacent squares, west and east of way 10, and a third one around both with them as its hole.
 fn squares() -> File {
     let mut file = File::default();
     let nodes = [(1, 0, 0), (2, 1, 0), (3, 1, 1), (4, 0, 1), (5, 2, 0), (6, 2, 1)];
@@ -35,7 +35,7 @@ fn boundaries(file: &File) -> Boundaries {
     read(written.path(), &"admin_level=6".parse().unwrap(), 100).unwrap()
 }
 
-/// The kind of a finding, the rule from which it follows, and the ids of its features.
+/// The kind of a finding, the rule that it follows from, and the ids of its features.
 type Found = (&'static str, Option<&'static str>, Vec<String>);
 
 fn found(file: &File) -> Vec<Found> {
@@ -94,7 +94,7 @@ fn rings_that_touch_at_a_node_are_told_apart() {
     for (id, x, y) in [(20, 3, 0), (21, 3, 1)] {
         file.node(id, x, y);
     }
-    // Two triangles that meet at node 2, by ways that all end there or at another corner.
+    // Two triangles that meet at node 2, from ways that all end there or at another corner.
     file.way(21, &[1, 2]);
     file.way(22, &[2, 20, 21]);
     file.way(23, &[4, 1]);
@@ -133,12 +133,12 @@ fn rings_are_cut_where_they_touch_and_segments_that_occur_twice_bound_nothing() 
         }
         file
     };
-    // A square of 4 by 4 whose way goes on, from the middle of a side, around a square inside, on its corner.
+    // A square of 4 by 4 whose way continues, from the middle of a side, around an inner square, through its corner.
     let mut touching = grid();
     touching.way(1, &[1, 21, 32, 23, 12, 21, 41, 45, 5, 1]);
     touching.relation(1, "4", "A", &[(1, "outer")]);
     assert_eq!(twice_the_area(&touching), 28);
-    // Two holes with a common side, and one that touches one of them at a corner.
+    // Two holes with a common side, and a hole that touches one of them at a corner.
     let mut holes = grid();
     holes.way(1, &[1, 41, 45, 5, 1]);
     holes.way(2, &[12, 22, 23, 13, 12]);
@@ -147,7 +147,7 @@ fn rings_are_cut_where_they_touch_and_segments_that_occur_twice_bound_nothing() 
     let members = [(1, "outer"), (2, "inner"), (3, "inner"), (4, "inner")];
     holes.relation(1, "4", "A", &members);
     assert_eq!(twice_the_area(&holes), 27);
-    // Two squares side by side, both whole.
+    // Two adjacent whole squares.
     let mut beside = grid();
     beside.way(1, &[1, 21, 22, 2, 1]);
     beside.way(2, &[21, 31, 32, 22, 21]);
@@ -155,7 +155,7 @@ fn rings_are_cut_where_they_touch_and_segments_that_occur_twice_bound_nothing() 
     assert_eq!(twice_the_area(&beside), 6);
 }
 
-/// The borders of random sets of cells, as ways in any order and direction, some of which are drawn twice, from both sides.
+/// The borders of random sets of cells, as ways in any order and direction. Some ways are drawn twice, from both sides.
 #[test]
 fn borders_of_cells_are_valid_and_have_their_area() {
     const SIDE: i64 = 4;
@@ -183,7 +183,7 @@ fn borders_of_cells_are_valid_and_have_their_area() {
         if ways.is_empty() {
             return TestResult::discard();
         }
-        // Ways that join end to end become one, some the other way around.
+        // Joins ways end to end, reversing some.
         for (at, turned) in &cuts {
             let at = usize::from(*at) % ways.len();
             if *turned {
@@ -244,7 +244,7 @@ fn a_ring_that_is_open_as_a_way_is_missing_follows_from_that() {
     let open = |id| ("open_ring", Some("O1"), ids([id]));
     let missing = |id| ("way_missing", None, ids([id]));
     assert_eq!(found(&file), [missing(200), missing(300), open(200), open(300)]);
-    // The rings that close are still there.
+    // The closed rings are kept.
     assert_eq!(rings(&boundaries(&file).layer.features[2]).len(), 1);
 }
 
@@ -279,7 +279,7 @@ fn files_that_are_not_read() {
     assert!(invalid.to_string().contains("admin_level=6,=4"));
 }
 
-/// A type of a member that the format does not have makes the crate that reads it panic.
+/// An invalid type of a member makes the underlying crate panic.
 #[test]
 fn an_unknown_type_of_a_member_is_an_error() {
     let file = File { type_of_members: 7, ..squares() };
@@ -287,7 +287,6 @@ fn an_unknown_type_of_a_member_is_an_error() {
     assert!(matches!(error, OsmError::Content(_)), "{error}");
 }
 
-/// The members of a relation.
 impl File {
     fn members(&mut self, relation: i64) -> &mut Members {
         &mut self.relations.iter_mut().find(|(id, ..)| *id == relation).unwrap().3

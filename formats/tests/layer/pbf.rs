@@ -1,21 +1,20 @@
-//! A writer of small files of OpenStreetMap, without compression.
+//! A writer of small, uncompressed OpenStreetMap files.
 
 use tempfile::NamedTempFile;
 
-/// Ways with their roles.
 pub(crate) type Members = Vec<(i64, &'static str)>;
 
 /// The elements of a file.
 pub(crate) struct File {
     pub(crate) nodes: Vec<(i64, i64, i64)>,
     pub(crate) ways: Vec<(i64, Vec<i64>)>,
-    /// Id, level, name and members.
+    /// The id, level, name and members of each relation.
     pub(crate) relations: Vec<(i64, &'static str, &'static str, Members)>,
     /// The tag `type` of all relations.
     pub(crate) type_of_relations: &'static str,
-    /// Something that readers must know of.
+    /// A feature required of readers.
     pub(crate) needs: Option<&'static str>,
-    /// 1 for ways.
+    /// The type of members; 1 for ways.
     pub(crate) type_of_members: u64,
 }
 
@@ -33,7 +32,7 @@ impl Default for File {
 }
 
 impl File {
-    /// A node at whole degrees.
+    /// Adds a node at whole degrees.
     pub(crate) fn node(&mut self, id: i64, x: i64, y: i64) {
         self.nodes.push((id, x, y));
     }
@@ -52,7 +51,6 @@ impl File {
         self.relations.push((id, level, name, members.to_vec()));
     }
 
-    /// A file with these bytes.
     pub(crate) fn written(&self) -> NamedTempFile {
         let file = NamedTempFile::new().unwrap();
         std::fs::write(file.path(), self.bytes()).unwrap();
@@ -129,7 +127,6 @@ fn differences(numbers: impl Iterator<Item = i64>) -> impl Iterator<Item = u64> 
     numbers.map(move |number| zigzag(number - std::mem::replace(&mut before, number)))
 }
 
-/// A message of protocol buffers.
 #[derive(Default)]
 struct Message(Vec<u8>);
 

@@ -1,4 +1,4 @@
-//! A layer that is written is read again as it was.
+//! Written layers are read back unchanged.
 
 use crate::support::{from_text, through, to_geojson, world};
 use std::sync::Arc;
@@ -48,7 +48,7 @@ fn foreign_members_of_a_feature_alone_are_its_own() {
     }
 }
 
-/// Geometries that well-known text and binary hold, with every kind and all dimensions.
+/// Geometries of every kind and all dimensions that well-known text and binary can hold.
 fn geometries() -> Layer {
     let text = "POINT(1 2)\nPOINT EMPTY\nPOINT Z(1 2 3)\nPOINT M(1 2 3)\nPOINT ZM(1 2 3 4)\nMULTIPOINT((1 2),(3 4))\n\
 LINESTRING Z(0 0 1,1 1 2)\nMULTILINESTRING((0 0,1 1),(2 2,3 3))\nPOLYGON((0 0,4 0,4 4,0 0),(2 1,3 1,3 2,2 1))\n\
@@ -91,7 +91,7 @@ fn a_reference_system_before_the_text_is_that_of_the_layer() {
 
 #[test]
 fn binary_geometries_are_read_as_bytes_big_endian_and_extended() {
-    // POINT(1 2), the high bytes first; then as PostGIS writes it, with a reference system.
+    // POINT(1 2), big-endian; then as PostGIS writes it, with a reference system.
     let mut bytes = vec![0, 0, 0, 0, 1];
     bytes.extend(1.0_f64.to_be_bytes());
     bytes.extend(2.0_f64.to_be_bytes());
@@ -105,7 +105,7 @@ fn binary_geometries_are_read_as_bytes_big_endian_and_extended() {
     assert_eq!(layer.header.crs.unwrap().code, Some(("EPSG".into(), 2056)));
 }
 
-/// A layer with every type of attributes that tables have.
+/// A layer with every type of attribute found in tables.
 fn attributes() -> Layer {
     let square = |x: f64| {
         let ring = [(x, 0.0), (x + 1.0, 0.0), (x + 1.0, 1.0), (x, 1.0), (x, 0.0)];

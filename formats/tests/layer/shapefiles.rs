@@ -1,11 +1,11 @@
-//! Shapefiles that others write: character sets, rings in any order, deleted records.
+//! Shapefiles from other programs: character sets, rings in any order, deleted records.
 
 use crate::support::{from_text, read, scratch, through};
 use std::fs;
 use std::path::Path;
 use twinedge_formats::layer::{Cause, Crs, Format, Layer, Line, ReadError, Shape, Value, write_path};
 
-/// A table of the column `name`, 8 bytes wide, and these records, each with its mark.
+/// A table with the column `name`, 8 bytes wide, and these records with their marks.
 fn table(records: &[&[u8; 9]], charset_mark: u8) -> Vec<u8> {
     let mut bytes = vec![3, 95, 7, 26];
     bytes.extend((records.len() as u32).to_le_bytes());
@@ -22,7 +22,7 @@ fn table(records: &[&[u8; 9]], charset_mark: u8) -> Vec<u8> {
     bytes
 }
 
-/// Two points, and this table.
+/// Reads two points with this table.
 fn points(folder: &Path, table: &[u8]) -> Result<Vec<Option<String>>, ReadError> {
     let path = folder.join("points.shp");
     write_path(&from_text("POINT(1 2)\nPOINT(3 4)\n"), &path, Format::Shapefile).unwrap();
@@ -36,13 +36,13 @@ fn character_sets_are_those_that_are_named() {
     let (folder, path) = scratch("points.cpg");
     let folder = folder.path();
     let some = |text: &str| Some(text.to_owned());
-    // Windows-1252 by its mark; without a mark, UTF-8 if it is that.
+    // Windows-1252 by its mark; without a mark, UTF-8 if the bytes are valid.
     assert_eq!(points(folder, &table(&[b" Z\xFCrich  ", b"         "], 0x57)).unwrap(), [some("Zürich"), None]);
     assert_eq!(
         points(folder, &table(&[b" Z\xC3\xBCrich ", b" Z\xFCrich  "], 0)).unwrap(),
         [some("Zürich"), some("Zürich")]
     );
-    // The file beside wins over the mark.
+    // The code page file takes precedence over the mark.
     fs::write(&path, "CP1251").unwrap();
     let bytes = table(&[b" \xCC\xEE\xF1\xEA\xE2\xE0  ", b"         "], 0x57);
     let shp = folder.join("points.shp");
@@ -50,7 +50,7 @@ fn character_sets_are_those_that_are_named() {
     assert_eq!(read(&shp).unwrap().features[0].get("name").and_then(Value::text), some("Москва"));
 }
 
-/// A record of 8 bytes, without mark of deletion.
+/// A record of 8 bytes that is not marked as deleted.
 fn record(bytes: &[u8]) -> [u8; 9] {
     let mut record = [b' '; 9];
     record[1..=bytes.len()].copy_from_slice(bytes);
@@ -59,7 +59,7 @@ fn record(bytes: &[u8]) -> [u8; 9] {
 
 #[test]
 fn character_sets_have_many_names() {
-    // The bytes are those of Python's codecs.
+    // The bytes were computed by Python's codecs.
     for (labels, bytes, text) in [
         (&["CP932", "932", "MS932", "Shift_JIS"][..], &b"\x93\x8C\x8B\x9E\x93\x73"[..], "東京都"),
         (&["CP936", "936", "GBK", "ANSI 936"][..], &b"\xB1\xB1\xBE\xA9\xCA\xD0"[..], "北京市"),
@@ -107,7 +107,7 @@ fn an_unknown_character_set_is_no_guess() {
     };
     unknown(with("KLINGON", b"Z\xFCrich", 0), "KLINGON");
     unknown(with("", b"Z\xFCrich", 0x68), "language driver 0x68");
-    // All known sets agree on ASCII.
+    // All known character sets agree on ASCII.
     assert!(with("KLINGON", b"Bern", 0).is_ok());
 }
 
@@ -145,11 +145,11 @@ fn ring_count(text: &str) -> Vec<usize> {
 
 #[test]
 fn holes_go_to_the_smallest_polygon_around_them() {
-    // A polygon with a hole, in it an island with a hole, and another polygon.
+    // A polygon with a hole that contains an island with a hole, and another polygon.
     let text = "MULTIPOLYGON(((0 0,9 0,9 9,0 9,0 0),(1 1,1 8,8 8,8 1,1 1)),((20 0,21 0,21 1,20 0)),\
 ((2 2,7 2,7 7,2 7,2 2),(3 3,3 6,6 6,6 3,3 3)))\n";
     assert_eq!(ring_count(text), [2, 1, 2]);
-    // A hole that touches its polygon in its first point.
+    // A hole that touches its polygon at its first point.
     assert_eq!(ring_count("MULTIPOLYGON(((0 0,9 0,9 9,0 9,0 0),(0 0,1 2,2 1,0 0)),((20 0,21 0,21 1,20 0)))\n"), [2, 1]);
 }
 
@@ -157,18 +157,18 @@ fn holes_go_to_the_smallest_polygon_around_them() {
 fn rings_turn_as_a_shapefile_wants_it() {
     let layer = through(&from_text("POLYGON((0 0,9 0,9 9,0 9,0 0))\n"), Format::Shapefile);
     let Shape::Polygon(rings) = &layer.features[0].geometry.as_ref().unwrap().shape else { panic!("a polygon") };
-    // Clockwise in the file, and turned when it is read, with the same first point.
+    // Clockwise in the file, and reversed on reading, with the same first point.
     assert_eq!(rings[0].iter().map(|p| (p.x, p.y)).collect::<Vec<_>>()[..2], [(0.0, 0.0), (9.0, 0.0)]);
     let (_folder, path) = scratch("square.shp");
     write_path(&layer, &path, Format::Shapefile).unwrap();
     let bytes = fs::read(&path).unwrap();
-    // The second point of the only record: after two heads, the type, the box, two counts and the start of the ring.
+    // The second point of the only record: after two headers, the type, the box, two counts and the start of the ring.
     let second = 100 + 8 + 4 + 32 + 8 + 4 + 16;
     let [x, y] = [0, 8].map(|at| f64::from_le_bytes(bytes[second + at..][..8].try_into().unwrap()));
     assert_eq!((x, y), (0.0, 9.0));
 }
 
-/// Areas of which are beyond the largest number, or none for the rounding of sums.
+/// The areas of these rings overflow, or vanish by rounding of sums.
 #[test]
 fn rings_of_any_size_keep_their_direction() {
     for text in [

@@ -4,32 +4,31 @@ use std::path::{Path, PathBuf};
 use tempfile::TempDir;
 use twinedge_formats::layer::{Format, Layer, ReadError, ReadOptions, read_layer, read_path, write, write_path};
 
-/// Reads a layer from a text, whose content tells the format.
+/// Reads a layer from a text of any format.
 pub(crate) fn from_text(text: &str) -> Layer {
     from_bytes(text.as_bytes()).unwrap()
 }
 
-/// Reads a layer from bytes, whose content tells the format.
+/// Reads a layer from bytes of any format.
 pub(crate) fn from_bytes(bytes: &[u8]) -> Result<Layer, ReadError> {
     let mut bytes = bytes;
     read_layer(&mut bytes, None, &ReadOptions::default())
 }
 
-/// A layer as GeoJSON.
 pub(crate) fn to_geojson(layer: &Layer) -> String {
     let mut text = Vec::new();
     write(layer, &mut text, Format::GeoJson).unwrap();
     String::from_utf8(text).unwrap()
 }
 
-/// A folder, and the path of a file in it.
+/// Creates a folder, and returns it with the path of a file in it.
 pub(crate) fn scratch(name: &str) -> (TempDir, PathBuf) {
     let folder = TempDir::new().unwrap();
     let path = folder.path().join(name);
     (folder, path)
 }
 
-/// The layer that comes back of one that is written in a format.
+/// Writes a layer in a format and reads it back.
 pub(crate) fn through(layer: &Layer, format: Format) -> Layer {
     let name = match format {
         Format::GeoJson => "layer.geojson",
@@ -47,12 +46,10 @@ pub(crate) fn through(layer: &Layer, format: Format) -> Layer {
     read(&path).unwrap()
 }
 
-/// Writes a layer to a file.
 pub(crate) fn write_as(layer: &Layer, path: &Path, format: Format) {
     write_path(layer, path, format).unwrap();
 }
 
-/// Reads a layer from a file.
 pub(crate) fn read(path: &Path) -> Result<Layer, ReadError> {
     read_path(path, &ReadOptions::default())
 }

@@ -1,4 +1,4 @@
-//! Pictures: what is drawn, how often, and where.
+//! Pictures: the drawn elements, their number and places.
 
 use quickcheck::{Gen, QuickCheck};
 use twinedge::validate::{Field, Record, Violation};
@@ -19,7 +19,7 @@ fn built(features: &[Feature]) -> PlanarMap {
     builder.build().expect("fits")
 }
 
-/// Two rectangles that overlap in a third, and a point.
+/// Two rectangles that overlap in a third one, and a point.
 fn estates() -> PlanarMap {
     let west = [[0.0, 0.0], [3.0, 0.0], [4.0, 0.0], [4.0, 4.0], [3.0, 4.0], [0.0, 4.0]];
     let east = [[3.0, 0.0], [4.0, 0.0], [8.0, 0.0], [8.0, 4.0], [4.0, 4.0], [3.0, 4.0]];
@@ -32,7 +32,7 @@ fn is_xml_char(c: char) -> bool {
     matches!(c, '\t' | '\n' | '\r' | ' '..='\u{D7FF}' | '\u{E000}'..='\u{FFFD}' | '\u{10000}'..)
 }
 
-/// Returns true if tags nest, attributes are quoted, and all characters are allowed: enough of XML for what is written here.
+/// Returns true if tags nest, attributes are quoted, and all characters are allowed: enough of XML for these pictures.
 fn is_well_formed(text: &str) -> bool {
     if !text.chars().all(is_xml_char) {
         return false;
@@ -75,7 +75,7 @@ fn faces_have_colours_names_and_hatches() {
     assert_eq!(text.matches("class=\"hatch\"").count(), 1);
     assert!(text.contains("<title>f3: A &lt;b&gt; &amp; &quot;c&quot;, East</title>"), "{text}");
     assert!(text.contains(">East</text>") && text.contains("class=\"point\""));
-    // Neighbours differ in colour, what is claimed twice has that of the first.
+    // Neighbours differ in colour; an overlap has the colour of the first feature.
     let fills: std::collections::BTreeSet<&str> = text.split("<path fill=\"").skip(1).map(|p| &p[..7]).collect();
     assert_eq!(fills.len(), 2);
     // 8 units on 1000 pixels, with margins of 12: the upper left corner is at (12, 12).
@@ -96,7 +96,7 @@ fn details_show_every_half_edge_to_the_left_of_its_edge() {
         let (a, b) = (at(h.origin()), at(h.target()));
         let side = |p: [f64; 2]| (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
         let (tail, head) = ([arrow[0], arrow[1]], [arrow[2], arrow[3]]);
-        // Pixels count downwards, so to the left is negative.
+        // Pixels count downwards, so the left is negative.
         assert!(side(tail) < 0.0 && (side(tail) - side(head)).abs() < 0.1 * (b[0] - a[0]).hypot(b[1] - a[1]) + 1e-9);
         assert!((b[0] - a[0]) * (head[0] - tail[0]) + (b[1] - a[1]) * (head[1] - tail[1]) > 0.0);
         // The link leads from its head to the tail of the next.
@@ -136,7 +136,7 @@ fn archipelago() -> PlanarMap {
     built(&features)
 }
 
-/// The part with the most vertices is as large as if there were no islands.
+/// The part with the most vertices is as large as without islands.
 #[test]
 fn islands_far_away_are_drawn_in_insets() {
     let map = archipelago();
@@ -144,7 +144,7 @@ fn islands_far_away_are_drawn_in_insets() {
     assert!(is_well_formed(&text), "{text}");
     assert_eq!((text.matches("class=\"inset\"").count(), text.matches("<svg ").count()), (2, 4), "{text}");
     assert!(text.contains("viewBox=\"0 0 1000 1162\"") && text.contains("M12 988L256 988"), "{text}");
-    // Each face is in one panel, and so is each name; two islands that lie near each other have one inset.
+    // Each face and each name is in one panel; two neighbouring islands share an inset.
     assert_eq!(text.matches("fill-rule").count(), 19);
     let inset = text.split("<svg ").find(|panel| panel.contains("Near")).expect("is drawn");
     assert!(inset.contains("Next") && !inset.contains("Deep"), "{inset}");
@@ -157,7 +157,7 @@ fn islands_far_away_are_drawn_in_insets() {
     assert!(!draw(&map, &Options { window, ..Options::default() }).contains("× the scale"));
 }
 
-/// A part a little apart needs no inset, and of many far parts the rest is counted.
+/// A nearby part needs no inset, and of many far parts only some have one; the rest is counted.
 #[test]
 fn insets_are_few() {
     let square = |x: f64, y: f64| [[x, y], [x + 1.0, y], [x + 1.0, y + 1.0], [x, y + 1.0]];
@@ -169,7 +169,7 @@ fn insets_are_few() {
     assert_eq!((text.matches("× the scale").count(), counted), (6, Some("2")), "{text}");
 }
 
-/// The more lines there are, the thinner they are: they cover at most a part of the picture.
+/// Lines become thinner with their number, so that they cover a bounded part of the picture.
 #[test]
 fn lines_thin_with_their_number() {
     let width = |n: u32| {
@@ -188,7 +188,7 @@ fn lines_thin_with_their_number() {
     assert_eq!([width(400), width(100_000)], [Some(0.20), Some(0.05)]);
 }
 
-/// Names that do not fit into their faces stand beside them, with a line that leads there, and cover no other.
+/// Names that do not fit into their faces are placed outside with a leader line, and cover no other name.
 #[test]
 fn names_that_do_not_fit_have_lines() {
     let narrow = |i: u32| {
@@ -213,7 +213,7 @@ fn names_that_do_not_fit_have_lines() {
     }
 }
 
-/// On a map that is not plane it is not known what a feature covers; it is filled by its own outline.
+/// If a map is not plane, the area of a feature is unknown, and its own outline is filled.
 #[test]
 fn features_of_a_map_that_is_not_plane_are_filled() {
     let square = |x: f64| [[x, x], [x + 2.0, x], [x + 2.0, x + 2.0], [x, x + 2.0]];
@@ -235,7 +235,7 @@ fn features_of_a_map_that_is_not_plane_are_filled() {
 
 #[test]
 fn a_spike_leaves_no_feature_white_and_nameless() {
-    // The spike of the first runs into the second; the hole of the third is drawn as one ring with a slit.
+    // The spike of the first feature runs into the second; the hole of the third is drawn as one ring with a slit.
     let spiked = [[0.0, 0.0], [4.0, 0.0], [4.0, 2.0], [7.0, 3.0], [4.0, 2.0], [4.0, 4.0], [0.0, 4.0]];
     let square = [[5.0, 0.0], [9.0, 0.0], [9.0, 4.0], [5.0, 4.0]];
     let slit = [
@@ -259,7 +259,7 @@ fn a_spike_leaves_no_feature_white_and_nameless() {
     let text = draw(&map, &Options::default());
     let points = |fill: &str| filled(&text, fill).concat().len() / 2;
     let fills = ["#8ecae6", "#f4b88a", "#a8d5a2", "#f2a9bb"];
-    // The corners of the squares, and those of both rings.
+    // The corners of the squares and of both rings.
     assert_eq!(fills.map(points).iter().sum::<usize>(), 5 + 4 + 8, "{text}");
     for name in ["spiked", "square", "slit"] {
         assert!(text.contains(&format!(">{name}</text>")), "{text}");
@@ -272,7 +272,7 @@ fn filled(text: &str, fill: &str) -> Vec<Vec<f64>> {
     paths(&lines, "filled")
 }
 
-/// Gaps are dotted; of gaps and overlaps the tiny ones have a ring.
+/// Gaps are dotted; tiny gaps and overlaps have a ring.
 #[test]
 fn tiny_gaps_and_overlaps_are_ringed() {
     let mut builder = Builder::new();
@@ -297,7 +297,7 @@ fn a_window_shows_a_part() {
     assert_eq!((half_edges_in(&map, None), half_edges_in(&map, window)), (20, 6));
     let text = draw(&map, &Options { window, detail: true, ..Options::default() });
     assert_eq!((paths(&text, "half").len(), text.matches("fill-rule").count()), (6, 1));
-    // One that is none shows everything.
+    // An invalid window shows everything.
     for bad in [f64::NAN, f64::INFINITY, 0.0] {
         let window = Some([Point::new(0.0, 0.0), Point::new(bad, 1.0)]);
         assert_eq!(half_edges_in(&map, window), 20);
@@ -322,7 +322,7 @@ fn what_is_very_large_or_small_is_drawn_too() {
     assert!(draw(&point, &Options::default()).contains("cx=\"12.00\""));
 }
 
-/// Any segments, crossing or not, give a picture with every half-edge and a mark for every violation.
+/// Arbitrary segments, crossing or not, produce a picture with every half-edge and a mark for every violation.
 fn anything_is_drawn(segments: Vec<((u8, u8), (u8, u8))>) -> bool {
     let mut builder = Builder::new();
     for ((a, b), (c, d)) in segments {

@@ -1,4 +1,4 @@
-//! TopoJSON: the examples of its specification, a file that `geo2topo` wrote, and every error.
+//! TopoJSON: the examples of its specification, a file written by `geo2topo`, and every error.
 
 use crate::support::{from_bytes, from_text, scratch, to_geojson, world};
 use twinedge_formats::layer::topojson::{audit, read as read_arcs};
@@ -17,7 +17,7 @@ const EXAMPLE: &str = r#"{"type": "Topology", "objects": {"example": {"type": "G
     [[102, 0], [103, 1], [104, 0], [105, 1]],
     [[100, 0], [101, 0], [101, 1], [100, 1], [100, 0]]]}"#;
 
-/// The same, quantised, as the specification has it.
+/// The quantised example of the specification.
 const QUANTISED: &str = r#"{"type": "Topology", "objects": {"example": {"type": "GeometryCollection", "geometries": [
     {"type": "Point", "properties": {"prop0": "value0"}, "coordinates": [4000, 5000]},
     {"type": "LineString", "properties": {"prop0": "value0", "prop1": 0}, "arcs": [0]},
@@ -85,7 +85,7 @@ fn arcs_are_joined_and_every_member_is_kept() {
     assert_eq!(xy(&layer, 3), [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [1.0, 0.0], [1.0, 1.0]]);
     let Some(Geometry { shape: Shape::Collection(parts), .. }) = &layer.features[4].geometry else { panic!() };
     assert_eq!(parts[0].members.get("id"), Some(&"part".into()));
-    // GeoJSON holds all of it.
+    // GeoJSON can hold everything.
     assert!(losses(&layer, Format::GeoJson).is_empty());
     assert!(to_geojson(&layer).contains(r#""coordinates":[[1,2],[3,4]],"id":"part""#));
 }
@@ -102,7 +102,7 @@ fn of_several_objects_one_must_be_chosen() {
     assert!(matches!(read(None), Err(ReadError::Layers { wanted: None, layers }) if layers == ["towns", "summit"]));
     assert!(matches!(read(Some("rivers")), Err(ReadError::Layers { wanted: Some(_), .. })));
     assert_eq!(xy(&read(Some("towns")).unwrap(), 0), [[1.0, 2.0]]);
-    // An object that is no collection is one feature.
+    // An object that is not a collection is one feature.
     assert_eq!(xy(&read(Some("summit")).unwrap(), 0), [[3.0, 4.0]]);
 }
 
@@ -114,7 +114,7 @@ fn built(layer: &Layer) -> PlanarMap {
     builder.build().unwrap()
 }
 
-/// `geo2topo countries=FILE` of topojson-server 3.0.1 wrote the file, from 13 countries of the world map.
+/// Written by `geo2topo countries=FILE` of topojson-server 3.0.1, from 13 countries of the world map.
 #[test]
 fn what_geo2topo_wrote_is_the_map_that_it_read() {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/layer/data/south-america.topojson");
@@ -131,7 +131,7 @@ fn what_geo2topo_wrote_is_the_map_that_it_read() {
     }
 }
 
-/// A layer of polygons as TopoJSON with an arc for each segment, which all rings along it share.
+/// Converts a layer of polygons to TopoJSON with an arc for each segment, shared by all rings along it.
 fn by_segments(layer: &Layer) -> serde_json::Value {
     use serde_json::json;
     let (mut arcs, mut known) = (Vec::new(), std::collections::HashMap::<_, i64>::new());
@@ -163,7 +163,7 @@ fn by_segments(layer: &Layer) -> serde_json::Value {
     json!({"type": "Topology", "arcs": arcs, "objects": {"world": {"type": "GeometryCollection", "geometries": geometries}}})
 }
 
-/// 7,493 − 7,655 + 288 = 1 + 125, as `twinedge audit` counts the map, and as it is in the documentation.
+/// 7,493 − 7,655 + 288 = 1 + 125, as counted by `twinedge audit` and stated in the documentation.
 #[test]
 fn the_world_in_arcs_is_the_world() {
     let world = world();
@@ -216,7 +216,7 @@ fn members_of_parts_that_geojson_forbids_are_reported() {
     assert!(!to_geojson(&layer).contains(r#""a":1"#));
 }
 
-/// The error of a file with this geometry and two arcs, from (0, 0) to (1, 0) and from (1, 1) to (0, 0).
+/// Returns the error for a file with this geometry and two arcs, from (0, 0) to (1, 0) and from (1, 1) to (0, 0).
 fn refused(geometry: &str) -> (Place, Cause) {
     let text = format!(
         r#"{{"type": "Topology", "arcs": [[[0, 0], [1, 0]], [[1, 1], [0, 0]]],
@@ -285,7 +285,7 @@ fn the_outermost_object_is_checked() {
         (r#"{"type": "Topology", "arcs": [], "objects": {}, "transform": {"scale": [1]}}"#, "an array of length 2"),
         (r#"{"type": "Topology", "arcs": [], "objects": {}}"#, "no layers of features"),
         (r#"{"type": "Topology", "arcs": [], "objects": {"a": {"type": "GeometryCollection"}}}"#, "without geometries"),
-        // Large numbers are finite, and their sum is not.
+        // The large numbers are finite, but not their sum.
         (
             r#"{"type": "Topology", "transform": {"scale": [1, 1], "translate": [0, 0]}, "arcs": [[[0, 0], [1e308, 0], [1e308, 0]]], "objects": {}}"#,
             "arc 0: the coordinates (inf, 0) are not finite",
@@ -314,7 +314,7 @@ fn every_beginning_is_refused() {
 
 #[test]
 fn an_arc_that_is_repeated_ends_at_a_limit_and_not_in_memory() {
-    // A thousand positions, named ten thousand times: ten million positions of 160 kilobytes.
+    // A thousand positions, referenced ten thousand times: ten million positions from 160 kilobytes.
     let arc = vec!["[0,0]"; 1000].join(",");
     let file = |times: usize| {
         let indices = vec!["0"; times].join(",");
@@ -328,7 +328,7 @@ fn an_arc_that_is_repeated_ends_at_a_limit_and_not_in_memory() {
         matches!(error, ReadError::Content { cause: Cause::Expanded { limit: found }, .. } if found == limit),
         "{error}"
     );
-    // The limit is on all features together: of a thousand positions each, 1064 fit.
+    // The limit applies to all features together: 1064 features of a thousand positions each fit.
     let lines = |count: usize| {
         let lines = vec![r#"{"type":"LineString","arcs":[0]}"#; count].join(",");
         let text = format!(
@@ -347,7 +347,7 @@ fn nesting_has_a_bound() {
         let text = format!(r#"{{"type":"Topology","arcs":[],"objects":{{"a":{open}{{"type":null}}{close}}}}}"#);
         from_bytes(text.as_bytes())
     };
-    // The outermost one is the layer.
+    // The outermost collection is the layer.
     assert!(nested(33).is_ok());
     assert!(matches!(nested(34), Err(ReadError::Content { cause: Cause::TooDeep, .. })));
     let error = nested(100_000).unwrap_err().to_string();

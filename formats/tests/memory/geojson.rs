@@ -1,14 +1,13 @@
-//! Memory that `io::geojson` needs, counted by the allocator.
+//! The memory used by `io::geojson`, counted by the allocator.
 
 use crate::counting::{LIVE_BYTES, PEAK_BYTES};
 use std::io::{self, Read};
 use twinedge_formats::io::{ReadError, ReadSummary, geojson};
 
-/// A text made while it is read: a head, a part many times over, a tail.
+/// A text generated while it is read: a head, a repeated part, a tail.
 struct Repeated<'a> {
     head: &'a [u8],
     part: &'a [u8],
-    /// The number of times that the part is still to come.
     left: usize,
     tail: &'a [u8],
 }
@@ -29,7 +28,7 @@ impl Read for Repeated<'_> {
 
 const SIZE: usize = 25_000_000;
 
-/// Reads a text of at least 25 MB; gives what was read, the size of the text and the most memory out at any time.
+/// Reads a text of at least 25 MB. Returns the summary, the size of the text and the peak memory.
 fn measure(head: &str, part: &str, tail: &str) -> (ReadSummary, usize, usize) {
     let left = SIZE / part.len() + 1;
     let size = head.len() + left * part.len() + tail.len();
@@ -40,7 +39,7 @@ fn measure(head: &str, part: &str, tail: &str) -> (ReadSummary, usize, usize) {
     (summary, size, (PEAK_BYTES.get() - before).cast_unsigned())
 }
 
-/// Features are not kept: many of them need no more than one.
+/// Features are not kept: many need no more memory than one.
 #[test]
 fn many_small_features() {
     let parcel = r#"{"type":"Feature","properties":{"name":"a parcel","area":12.5},"geometry":{"type":"Polygon",
@@ -51,7 +50,7 @@ fn many_small_features() {
     assert!(peak < 100_000, "{peak} bytes at the peak for {size} bytes of text");
 }
 
-/// The worst case of memory is one feature that is the whole file. Its coordinates are as long as those of the maps in
+/// The worst case for memory is a single feature that fills the file. Its coordinates are as long as in the maps of
 /// `cli/data` after rounding to five digits.
 #[test]
 fn one_large_feature() {
@@ -61,7 +60,7 @@ fn one_large_feature() {
     assert!(peak < 5 * size, "{peak} bytes at the peak for {size} bytes of text");
 }
 
-/// A third number takes the position out of its list.
+/// A third number moves the position out of its list.
 #[test]
 fn one_large_feature_with_heights() {
     let head = r#"{"type":"Feature","properties":{"name":"a coast"},"geometry":{"type":"Polygon","coordinates":[["#;
@@ -70,7 +69,7 @@ fn one_large_feature_with_heights() {
     assert!(peak < 10 * size, "{peak} bytes at the peak for {size} bytes of text");
 }
 
-/// Even with the shortest coordinates that there are.
+/// The bound also holds for the shortest possible coordinates.
 #[test]
 fn one_large_feature_of_single_digits() {
     let head = r#"{"geometry":{"coordinates":["#;
@@ -79,7 +78,7 @@ fn one_large_feature_of_single_digits() {
     assert!(peak < 10 * size, "{peak} bytes at the peak for {size} bytes of text");
 }
 
-/// Members that are of no interest take no memory at all, however large they are.
+/// Ignored members take no memory, for any size.
 #[test]
 fn large_foreign_members() {
     let (summary, size, peak) =

@@ -1,4 +1,4 @@
-//! Each error, from a file that has nothing else wrong.
+//! Each error, from a file without any other error.
 
 use crate::support::shapes::{TETRAHEDRON, mesh};
 use crate::support::write::{Kind as Written, write};
@@ -244,7 +244,7 @@ fn errors_say_where_and_what() {
         "STL, byte 0: expected 80 bytes of header and the number of triangles, but there is nothing more"
     );
     assert_eq!(say("OFF BINARY", Format::Off), "OFF, line 1: binary OFF cannot be read");
-    // The excerpt of a file in a message is short and harmless.
+    // The excerpt of the file in a message is short and has no control characters.
     let long = format!("v 1 2 \u{1b}[31m{}", "x".repeat(10_000));
     let said = say(&long, Format::Obj);
     assert!(said.contains("\\u{1b}[31m") && said.ends_with("…`") && said.len() < 120, "{said}");

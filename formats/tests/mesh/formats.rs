@@ -1,4 +1,4 @@
-//! The content of each format is read, or dropped and told.
+//! The content of each format is read, or dropped and reported.
 
 use crate::support::shapes::{CUBE, TETRAHEDRON, mesh};
 use crate::support::write::{Kind as Written, write};
@@ -69,7 +69,7 @@ fn off_with_prefixes_comments_and_colours() {
         assert_eq!(faces(&file), [vec![0, 1, 2], vec![1, 0]]);
         assert_eq!(dropped(&file), [("values after the coordinates", 1), ("colours of faces", 1)]);
     }
-    // Counts beside the keyword, and something at the end.
+    // Counts on the line of the keyword, and text at the end.
     let file = file("OFF 1 0 0\n1 2 3\nmore\n\nand more", Format::Off);
     assert_eq!(file.mesh.points(), [[1.0, 2.0, 3.0]]);
     assert_eq!(dropped(&file), [("lines after the last face", 2)]);
@@ -162,7 +162,7 @@ fn stl_in_text_with_several_solids_and_any_case() {
     let text =
         format!("solid\n{}endsolid\nSolid two facet names\n{}{}endsolid two\n", facet("0"), facet("-0"), facet("1"));
     let file = file(text, Format::Stl);
-    // 0 and −0 are one place.
+    // 0 and −0 are the same place.
     assert_eq!(faces(&file), [[0, 1, 2], [0, 1, 2], [3, 1, 2]]);
     assert_eq!(file.mesh.points().len(), 4);
     assert_eq!(dropped(&file), [("normals", 3)]);
@@ -174,7 +174,7 @@ fn stl_in_binary_with_attributes_and_a_tail() {
     bytes[84 + 48] = 1;
     bytes[84 + 50 + 49] = 1;
     assert_eq!(dropped(&file(&bytes, Format::Stl)), [("normals", 4), ("attributes of triangles", 2)]);
-    // A header that does not look like text, so that the length may be wrong.
+    // The header does not look like text, so the length may differ.
     bytes[0] = b'b';
     bytes.extend([0; 7]);
     let file = file(bytes, Format::Stl);
@@ -204,7 +204,7 @@ fn the_content_says_the_format() {
         assert_eq!(from_stream.format, kind.format());
         assert_eq!(from_stream.mesh.face_count(), mesh.face_count());
     }
-    // A binary file without a name in its header is recognised by its length.
+    // A binary file without a name in its header is recognized by its length.
     let mut binary = write(&tetrahedron, Written::BinaryStl);
     binary[0] = b'b';
     assert_eq!(Format::of_content(&binary), Some(Format::Stl));
@@ -231,13 +231,13 @@ fn the_name_says_the_format_where_the_content_does_not() {
     // OFF without its keyword.
     let path = write_file("a.off", "1 0 0\n1 2 3\n");
     assert_eq!(read_path(path).expect("well-formed").format, Format::Off);
-    // The content is right where the name is wrong.
+    // The content determines the format if the name does not fit.
     let path = write_file("b.stl", "OFF\n1 0 0\n1 2 3\n");
     assert_eq!(read_path(path).expect("well-formed").format, Format::Off);
     // An OBJ file whose first statement is unknown.
     let path = write_file("c.obj", "extension 1\nv 1 2 3\n");
     assert_eq!(read_path(path).expect("well-formed").format, Format::Obj);
-    // A binary file whose header starts like an OBJ file, and whose length is wrong.
+    // A binary file whose header starts like an OBJ file, and whose length does not fit.
     let binary = [&b"v"[..], &[b' '; 79], &[0; 10]].concat();
     let path = folder.join("e.stl");
     std::fs::write(&path, binary).expect("the folder is there");
@@ -254,7 +254,7 @@ fn tempdir(name: &str) -> std::path::PathBuf {
     folder
 }
 
-/// As Windows programs write it, either byte first.
+/// Written like by Windows programs, in either byte order.
 #[test]
 fn text_in_utf_16_is_read() {
     let text = "# Würfel\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";

@@ -1,4 +1,4 @@
-//! Meshes whose counts are in the literature, or counted by hand.
+//! Meshes with counts from the literature, or counted by hand.
 
 use crate::support::shapes::{
     CUBE, OCTAHEDRON, TETRAHEDRON, grid, mesh, moebius_strip, moebius_strip_with_a_seam, seven_vertex_torus,
@@ -144,7 +144,7 @@ fn faces_that_cannot_bound_anything_are_left_out_and_the_rest_is_joined() {
 
 #[test]
 fn repeats_are_found_among_many_faces_at_one_vertex() {
-    // More than are compared in pairs.
+    // More faces than are compared in pairs.
     let mut faces: Vec<[u32; 3]> = (1..30).map(|i| [0, i, i + 1]).collect();
     faces.push([20, 21, 0]);
     faces.push([5, 4, 0]);
@@ -201,7 +201,7 @@ fn each_expectation_is_met_by_the_right_number_only() {
     assert_eq!(violations(none.sides(5)), sides(5).collect::<Vec<_>>());
 }
 
-/// An unused vertex is a component of the map, but not one that is expected.
+/// An unused vertex is a component of the map, but does not count for expectations.
 #[test]
 fn unused_vertices_are_no_components() {
     let found = audit(&mesh(6, TETRAHEDRON), &HalfEdgeMesh::expectation().components(1).closed(), Collect::All);

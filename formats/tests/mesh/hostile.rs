@@ -1,4 +1,4 @@
-//! Files made to do harm: every prefix and many changes of good ones end in a mesh or in a typed error.
+//! Malicious files: every prefix and many changes of valid files lead to a mesh or to a typed error.
 
 use crate::support::shapes::{TETRAHEDRON, mesh};
 use crate::support::write::{Kind as Written, write};
@@ -6,7 +6,7 @@ use quickcheck::{Gen, QuickCheck};
 use twinedge::validate::Collect;
 use twinedge_formats::mesh::{Format, HalfEdgeMesh, IndexedMesh, ReadError, audit, read_bytes};
 
-/// Reads, and audits what was read; true if it is a mesh.
+/// Reads and audits the input; returns true if it is a mesh.
 fn survives(bytes: &[u8], format: Option<Format>) -> bool {
     match read_bytes(bytes, format) {
         Ok(file) => {
@@ -35,7 +35,8 @@ fn prefixes() {
         let whole = write(&mesh(4, TETRAHEDRON), kind);
         assert!(survives(&whole, Some(kind.format())));
         let complete = (0..whole.len()).filter(|length| survives(&whole[..*length], Some(kind.format()))).count();
-        // An OBJ file may end after any statement; the others say how much is to come, down to the last blanks and name.
+        // An OBJ file may end after any statement; other formats declare their length, except for final blanks and
+        // names.
         let most = match kind {
             Written::Obj => whole.len(),
             Written::TextStl => "\n a name".len() + 1,
@@ -73,7 +74,7 @@ fn any_bytes() {
     QuickCheck::new().tests(2000).rng(Gen::new(300)).quickcheck(survive as fn(Vec<u8>));
 }
 
-/// Words of the formats in any order get further than bytes.
+/// Words of the formats in any order pass more checks than random bytes.
 #[test]
 fn any_words() {
     const WORDS: [&str; 40] = [
@@ -134,7 +135,7 @@ fn any_words() {
     QuickCheck::new().tests(2000).rng(Gen::new(60)).quickcheck(survive as fn(Vec<(u8, u8)>));
 }
 
-/// A hundred thousand faces at one edge, one vertex, one set of vertices: what is quadratic does not end.
+/// A hundred thousand faces at one edge, one vertex, or one set of vertices: a quadratic algorithm would not finish.
 #[test]
 fn crowds() {
     const MANY: u32 = 100_000;
@@ -148,12 +149,12 @@ fn crowds() {
     let many = MANY as usize;
     // All at one edge: that edge, and one unused vertex.
     assert_eq!(edges((0..MANY).map(|i| vec![0, 1, i + 2]).collect()), (2 * many + 1, 2));
-    // All the same: all but one repeat it, and only it uses vertices.
+    // All equal: all but one repeat it, and only it uses vertices.
     assert_eq!(edges((0..MANY).map(|_| vec![0, 1, 2]).collect()), (3, many - 1 + many));
-    // All at one vertex, which is where they all touch.
+    // All at one vertex, the only contact.
     let fans = (0..MANY / 2).map(|i| vec![0, 2 * i + 1, 2 * i + 2]).collect();
     assert_eq!(edges(fans), (3 * many / 2, 1 + 2));
-    // One face with all vertices, and one that repeats them the other way round.
+    // One face with all vertices, and one with the reverse order.
     let around: Vec<_> = (0..MANY).collect();
     let back = around.iter().rev().copied().collect();
     assert_eq!(edges(vec![around, back]), (many, 1 + 3));

@@ -1,4 +1,4 @@
-//! Mesh files: what is read, what is joined, what is found.
+//! Mesh files: reading, joining and findings.
 #![allow(clippy::needless_pass_by_value, reason = "quickcheck hands properties their input by value")]
 
 mod errors;

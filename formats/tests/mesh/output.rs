@@ -46,7 +46,7 @@ fn json_has_the_keys_that_scripts_use() {
 fn json_says_valid_only_where_the_audit_does() {
     for extra in [None, Some([0, 2, 1])] {
         let audit = audit(&mesh(4, TETRAHEDRON.into_iter().chain(extra)), &HalfEdgeMesh::expectation(), Collect::All);
-        // All joints are right, but one face was left out.
+        // All joints are valid, but one face was left out.
         assert!(audit.report().is_valid());
         assert_eq!(serde_json::to_value(&audit).expect("no maps with strange keys")["valid"], extra.is_none());
     }
@@ -84,9 +84,9 @@ fn findings_come_first_and_v2_is_told_to_follow_from_them() {
         |told: &str| text.lines().position(|line| line.starts_with(told)).unwrap_or_else(|| panic!("{told}\n{text}"));
     assert!(line("flipped_faces") < line("vertices (V)") && line("vertices (V)") < line("V2: "), "{text}");
     assert!(line("V2: ") < line("V2 is broken because of the findings above"), "{text}");
-    // No border, but four edges where faces meet that are not joined.
+    // No border, but four edges where faces meet without being joined.
     assert!(text.lines().any(|line| line == "edges not joined                4"), "{text}");
-    // Half-edges without twin are at a border to the validator, but not to the counts.
+    // For the validator, half-edges without a twin are at a border; for the counts, they are not.
     let text = audit(&mesh(8, &faces), &HalfEdgeMesh::expectation().closed(), Collect::All).to_string();
     assert!(text.contains("M4 closed    BROKEN, 8 violations in 24 half-edges"), "{text}");
     assert!(
@@ -100,7 +100,7 @@ fn findings_come_first_and_v2_is_told_to_follow_from_them() {
 
 #[test]
 fn components_in_text_are_told_from_those_of_the_validator() {
-    // One vertex without face: a component of the map (T3), but not one of faces.
+    // One vertex without faces: a component of the map (T3), but not of the faces.
     let text = audit(&mesh(1, [[0_u32; 3]; 0]), &HalfEdgeMesh::expectation(), Collect::All).to_string();
     assert!(text.contains("components of faces             0") && text.contains("1 component"), "{text}");
 }

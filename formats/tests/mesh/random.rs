@@ -1,4 +1,4 @@
-//! Random lists of faces, against the second opinion and the laws.
+//! Random lists of faces, compared with the second opinion and the laws.
 
 use crate::support::oracle::opinion;
 use crate::support::shapes::{mesh, points};
@@ -84,7 +84,7 @@ fn what_has_no_fault_is_valid_and_obeys_euler() {
             assert_eq!(counts.genus, None);
             assert!(!found.is_valid());
         }
-        // The validator itself sees the fans, one vertex for another, where nothing else is wrong.
+        // The validator sees the fans by itself, one vertex in place of another, if there is no other finding.
         if joined[..2].iter().all(|kind| findings.count(*kind) == 0) {
             let fans = findings.count(Kind::NonManifoldVertex) as u64;
             assert_eq!(found.report().outcome(Rule::V2).map(|outcome| outcome.violations), Some(fans));
@@ -147,7 +147,7 @@ fn the_order_of_faces_and_vertices_does_not_matter() {
         let back_to_back = |finding: &Finding| matches!(finding, Finding::RepeatedFace { reversed: true, .. });
         let one_may_fit = a.findings().list().iter().any(back_to_back);
         if one_may_fit {
-            // The first of the two is kept, and which one that is decides what can be joined.
+            // The first of two equal faces is kept, and this choice decides about joints.
             for counts in [&mut counts, &mut shuffled_counts] {
                 (counts.borders, counts.genus) = (None, None);
             }
@@ -179,7 +179,7 @@ fn turning_faces_does_not_change_whether_the_surface_is_orientable() {
             assert_eq!(found.counts().border_edges, 32);
             assert_eq!(found.counts().euler_characteristic, 0);
             let changes = (0..16).filter(|i| (turned >> i ^ turned >> ((i + 1) % 16)) & 1 == 1).count();
-            // The twist is at one more place, where the faces agree if they are turned differently.
+            // The twist adds one place, where faces agree if one of them is reversed.
             let at_the_end = usize::from((turned >> 15 ^ turned) & 1 == 1);
             let flipped = if twisted { changes + 1 - 2 * at_the_end } else { changes };
             assert_eq!(found.findings().count(Kind::FlippedFaces), flipped);
@@ -218,7 +218,7 @@ fn triangles_come_back_from_stl_at_their_places_and_joined() {
             let file = read_bytes(&write(&mesh, kind), Some(kind.format())).expect("well-formed");
             assert_eq!(places(&file.mesh), places(&mesh), "{kind:?}");
             let (mut before, mut after) = (*audited(&mesh).counts(), *audited(&file.mesh).counts());
-            // Points that no triangle uses are not in the file.
+            // The file does not have the points that no triangle uses.
             before.vertices = after.vertices;
             before.unused_vertices = 0;
             after.unused_vertices = 0;
@@ -242,13 +242,13 @@ fn an_audit_is_what_its_parts_are() {
     check(200, holds as fn(Soup));
 }
 
-/// Otherwise the laws above would hold for want of examples.
+/// Without these examples, the laws above would hold vacuously.
 #[test]
 fn the_random_lists_have_every_kind_of_finding_and_none() {
     use quickcheck::Arbitrary;
     let mut g = Gen::new(60);
     let (mut faultless, mut handles, mut one_sided) = (0, 0, 0);
-    // Those of the places of points are asked for elsewhere.
+    // Other tests cover the findings about places of points.
     let kinds: Vec<&Kind> = Kind::ALL.iter().filter(|kind| kind.rule().is_none()).collect();
     let mut with = vec![0; kinds.len()];
     for _ in 0..6000 {

@@ -1,4 +1,4 @@
-//! The same files, read by other crates.
+//! Files read by other crates, for comparison.
 
 use crate::support::shapes::{mesh, points};
 use crate::support::soup::Soup;
@@ -9,7 +9,6 @@ use quickcheck::{Gen, QuickCheck};
 use std::io::Cursor;
 use twinedge_formats::mesh::{IndexedMesh, read_bytes};
 
-/// The places around each face.
 fn places(mesh: &IndexedMesh) -> Vec<Vec<[f64; 3]>> {
     mesh.faces().map(|face| face.iter().map(|v| mesh.points()[*v as usize]).collect()).collect()
 }
@@ -25,7 +24,7 @@ fn check(tests: u64, property: fn(Soup)) {
 #[test]
 fn obj_is_what_tobj_reads() {
     fn agrees(soup: Soup) {
-        // It drops faces without vertices.
+        // This crate drops faces without vertices.
         let faces: Vec<_> = soup.faces.iter().filter(|face| !face.is_empty()).collect();
         let mesh = IndexedMesh::from_faces(points(soup.points), faces).expect("indices in range");
         let bytes = write(&mesh, Written::Obj);
@@ -83,7 +82,7 @@ fn stl_is_what_stl_io_reads() {
         for kind in [Written::TextStl, Written::BinaryStl] {
             let mut bytes = write(&mesh, kind);
             if kind == Written::BinaryStl {
-                // It takes a header with `solid` for text.
+                // This crate takes a header with `solid` for text.
                 bytes[0] = b'b';
             }
             let stl = stl_io::read_stl(&mut Cursor::new(&bytes)).expect("well-formed");

@@ -1,4 +1,4 @@
-//! M9 … M11: the places of the points. Each is broken alone, and what is right breaks none.
+//! M9 … M11: the places of the points. Each rule is broken alone, and valid meshes break none.
 
 use crate::support::shapes::{CUBE, OCTAHEDRON, TETRAHEDRON};
 use quickcheck::quickcheck;
@@ -10,7 +10,7 @@ fn audited<F: AsRef<[u32]>>(points: &[[f64; 3]], faces: impl IntoIterator<Item =
     audit_in_space(&mesh, &HalfEdgeMesh::expectation(), &SpaceRule::ALL, Collect::All)
 }
 
-/// The findings of M9 … M11, which are all that there may be.
+/// Returns the findings, which must all belong to M9 … M11.
 fn found<F: AsRef<[u32]>>(points: &[[f64; 3]], faces: impl IntoIterator<Item = F>) -> Vec<Finding> {
     let audit = audited(points, faces);
     assert!(audit.report().is_valid(), "{audit}");
@@ -22,7 +22,7 @@ fn found<F: AsRef<[u32]>>(points: &[[f64; 3]], faces: impl IntoIterator<Item = F
 
 const AT_TETRAHEDRON: [[f64; 3]; 4] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
-/// Tetrahedra of this size, their right angles at these places, wound outwards or inwards.
+/// Tetrahedra with a right angle at these places, of these sizes, oriented outwards or inwards.
 fn tetrahedra(all: &[([f64; 3], f64, bool)]) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
     let (mut points, mut faces) = (Vec::new(), Vec::new());
     for (at, size, is_outward) in all {
@@ -49,7 +49,7 @@ fn solids_of_the_literature_break_nothing() {
     let ids: Vec<(&str, u64)> = audit.rules().iter().rev().take(3).map(|rule| (rule.id, rule.checked)).collect();
     assert_eq!(ids, [("M11", 1), ("M10", 6), ("M9", 6)]);
     assert_eq!((TETRAHEDRON.len(), CUBE.len(), OCTAHEDRON.len()), (4, 6, 8));
-    // Rules that are not asked for are not in the report.
+    // The report only has requested rules.
     let mesh = IndexedMesh::from_faces(cube, CUBE).unwrap();
     let plain = audit_in_space(&mesh, &HalfEdgeMesh::expectation(), &[SpaceRule::Area, SpaceRule::Area], Collect::All);
     assert_eq!(plain.rules().iter().filter(|rule| ["M9", "M10", "M11"].contains(&rule.id)).count(), 1);
@@ -57,16 +57,16 @@ fn solids_of_the_literature_break_nothing() {
 
 #[test]
 fn a_face_on_a_line_breaks_m9_alone() {
-    // Two triangles, and beside both one without area: its third corner is the middle of its longest side, which is a border.
+    // Two triangles, and a third one without area: its third corner is the middle of its longest side, which is a border.
     let points = [[0.0, 0.0, 0.0], [2.0, 2.0, 2.0], [1.0, 1.0, 1.0], [0.0, 0.0, 3.0]];
     let faces = [[0, 1, 2], [0, 2, 3], [2, 1, 3]];
     assert_eq!(found(&points, faces), [Finding::ZeroArea { face: 0 }]);
-    // One unit in the last place beside the line it has an area.
+    // Moving a corner by one unit in the last place gives it an area.
     let mut beside = points;
     beside[2][0] = 1.0_f64.next_up();
     assert_eq!(found(&beside, [[0, 1, 2]]), []);
     assert_eq!(found(&points, [[0, 1, 2]]), [Finding::ZeroArea { face: 0 }]);
-    // Corners that are different points at one place.
+    // The corners are distinct points at one place.
     let same = [[0.0, -0.0, 0.0], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0]];
     assert_eq!(found(&same, [[0, 1, 2]]), [Finding::ZeroArea { face: 0 }]);
     let square = [[0.0; 3], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0], [2.0, 1.0, 0.0]];
@@ -75,7 +75,7 @@ fn a_face_on_a_line_breaks_m9_alone() {
 
 #[test]
 fn faces_that_cross_break_m10_alone() {
-    // Two faces that have but a corner in common break V2, too.
+    // Two faces that share only a corner also break V2.
     let crossing = |points: &[[f64; 3]], faces: &[[u32; 3]]| {
         let audit = audited(points, faces);
         let of_space: Vec<&Finding> =
@@ -109,7 +109,7 @@ fn faces_that_cross_break_m10_alone() {
     let edge = |d: [f64; 3]| crossing(&[flat[0], flat[1], flat[2], d], &[[0, 1, 2], [1, 0, 3]]);
     assert!(!edge([0.0, -1.0, 0.0]) && !edge([1.0, 1.0, 1.0]));
     assert!(edge([1.0, 1.0, 0.0]), "folded onto the first");
-    // The common edge has points of its own in each face, as in files with seams.
+    // The common edge has separate points in each face, as in files with seams.
     let seam = |d: [f64; 3]| crossing(&[flat[0], flat[1], flat[2], flat[1], flat[0], d], &[[0, 1, 2], [3, 4, 5]]);
     assert!(!seam([0.0, -1.0, 0.0]) && seam([1.0, 1.0, 0.0]));
     let signed = [flat[0], flat[1], flat[2], [4.0, -0.0, 0.0], [-0.0, 0.0, -0.0], [0.0, -1.0, 0.0]];
@@ -120,11 +120,11 @@ fn faces_that_cross_break_m10_alone() {
 #[test]
 fn quadrangles_are_judged_if_they_are_convex_and_left_out_otherwise() {
     let square = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [4.0, 4.0, 0.0], [0.0, 4.0, 0.0]];
-    // Through the half of the square that is not beside its first corner's first side.
+    // Through the half of the square away from its first side.
     let needle = [[1.0, 3.0, -1.0], [1.0, 3.0, 1.0], [1.0, 9.0, 1.0]];
     let both = [square.as_slice(), needle.as_slice()].concat();
     assert_eq!(found(&both, [vec![0, 1, 2, 3], vec![4, 5, 6]]), [Finding::CrossingFaces { faces: [0, 1] }]);
-    // An arrow whose first corner sees past the notch.
+    // An arrow whose first corner lies opposite the notch.
     let arrow = [[0.0, 0.0, 0.0], [4.0, -4.0, 0.0], [1.0, 0.0, 0.0], [4.0, 4.0, 0.0]];
     let audit = audited(
         &[arrow.as_slice(), &[[3.0, 0.0, -1.0], [3.0, 0.0, 1.0], [9.0, 0.0, 1.0]]].concat(),
@@ -139,14 +139,14 @@ fn quadrangles_are_judged_if_they_are_convex_and_left_out_otherwise() {
 fn a_component_that_faces_inwards_breaks_m11_alone() {
     let inside_out = |face| Finding::InsideOut { face, faces: 4 };
     assert_eq!(kinds(&[([0.0; 3], 1.0, false)]), [inside_out(0)]);
-    // Far from the origin, where rounded numbers say nothing about the sign.
+    // Far from the origin, where rounded numbers do not determine the sign.
     for at in [[1e9, 1e9, 1e9], [-1e12, 1e12, 3e11]] {
         assert_eq!(kinds(&[(at, 1.0, true)]), []);
         assert_eq!(kinds(&[(at, 1.0, false)]), [inside_out(0)]);
     }
-    // Beside each other, the second one is wrong.
+    // Side by side, the second one is inverted.
     assert_eq!(kinds(&[([0.0; 3], 1.0, true), ([5.0; 3], 1.0, false)]), [inside_out(4)]);
-    // A cavity, a body in it, and a body in it that faces inwards.
+    // A cavity, a body in it, and an inverted body in it.
     let hollow = [([0.0; 3], 100.0, true), ([5.0; 3], 60.0, false)];
     assert_eq!(kinds(&hollow), []);
     assert_eq!(kinds(&[hollow[0], hollow[1], ([9.0; 3], 9.0, true)]), []);
@@ -161,7 +161,7 @@ fn a_component_that_faces_inwards_breaks_m11_alone() {
 }
 
 quickcheck! {
-    /// Turning and moving on a grid by whole numbers is exact, and changes nothing; a mirror image faces inwards.
+    /// Rotations and shifts by integers on a grid are exact and change nothing; a mirror image faces inwards.
     fn findings_follow_turns_and_shifts(places: Vec<(i8, i8, i8)>, shift: (i16, i16, i16)) -> bool {
         let points: Vec<[f64; 3]> = places.iter().take(12).map(|p| [p.0, p.1, p.2].map(|x| f64::from(x % 5))).collect();
         let faces: Vec<[u32; 3]> = (0..points.len() as u32 / 3).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
@@ -174,8 +174,8 @@ quickcheck! {
         of(&points) == of(&moved) && of(&points) == of(&mirrored)
     }
 
-    /// Against sums of fractions: triangles on a small grid cross if and only if a point of a fine grid in barycentric coordinates says so, or
-    /// they touch where it has no point. What the grid finds, the rule finds.
+    /// Compared with sums of fractions: triangles on a small grid cross if and only if a point of a fine barycentric grid shows it, or they touch
+    /// away from its points. The rule finds everything that the grid finds.
     fn what_points_of_triangles_show_is_found(numbers: Vec<i8>) -> bool {
         let coordinate = |i: usize| f64::from(numbers.get(i).copied().unwrap_or_default() % 3);
         let points: Vec<[f64; 3]> = (0..6).map(|i| [0, 1, 2].map(|axis| coordinate(3 * i + axis))).collect();
@@ -184,14 +184,14 @@ quickcheck! {
             return true;
         }
         let shared = (0..3).filter(|i| points[3..].contains(&points[*i])).count();
-        // Six times each point, so that all numbers are whole.
+        // Six times each point, so that all numbers are integers.
         let of = |start: usize| {
             let weights = (0..=6_u8).flat_map(|a| (0..=6 - a).map(move |b| [a, b, 6 - a - b].map(f64::from)));
             weights.map(|w| [0, 1, 2].map(|axis| (0..3).map(|i| w[i] * points[start + i][axis]).sum::<f64>())).collect::<Vec<_>>()
         };
         let (one, other) = (of(0), of(3));
         let common = one.iter().filter(|at| other.contains(at)).count();
-        // Along a common edge there are seven of these points, and one at a common corner.
+        // A common edge has seven of these points, and a common corner has one.
         let expected = [0, 1, 7][shared.min(2)];
         shared == 3 || common <= expected || audit.findings().count(Kind::CrossingFaces) == 1
     }

@@ -1,18 +1,17 @@
-//! Every finding, made from the map that PostGIS wrote, with its sentence.
+//! Every finding, made from the map that PostGIS wrote, with its message.
 
 use crate::support::{ABS_NEXT_LEFT, Change, EDGE, FACE, GEOM, LEFT_FACE, NEXT_LEFT, NODE, Rows, START, TOWN};
 use crate::support::{int, line, point, polygon};
 use std::collections::BTreeSet;
 use twinedge_formats::postgis::TopologyAudit;
 
-/// The audit of the town after a change.
+/// Audits the town after a change.
 fn changed(change: impl FnOnce(&mut Rows)) -> TopologyAudit {
     let mut rows = Rows::of(TOWN);
     change(&mut rows);
     rows.audit()
 }
 
-/// The rules that are broken.
 fn broken(audit: &TopologyAudit) -> Vec<&'static str> {
     audit.rules().iter().filter(|rule| rule.violations > 0).map(|rule| rule.id).collect()
 }
@@ -23,7 +22,7 @@ fn a_topology_without_a_row_for_face_0_has_no_unbounded_face() {
     assert_eq!(broken(&audit), ["F1"], "{audit}");
 }
 
-/// A change, the rules that it breaks, and the sentence of one of the violations.
+/// A change, the rules that it breaks, and the message of one of the violations.
 type Case = (&'static str, fn(&mut Rows), &'static [&'static str], &'static str);
 
 const CASES: &[Case] = &[
@@ -207,7 +206,7 @@ fn each_change_breaks_its_rules_and_is_named_by_ids() {
         assert!(audit.to_string().contains(sentence));
         kinds.insert(*kind);
     }
-    // All kinds of rules P0 … P4 that there are, as the source lists them.
+    // All kinds of the rules P0 … P4, as listed in the source.
     let source = include_str!("../../src/postgis/finding.rs");
     let list = source.split("\nfindings! {").nth(1).and_then(|rest| rest.split("\n}").next()).expect("there is a list");
     for row in list.lines().filter(|row| row.starts_with("    \"P")) {
@@ -240,7 +239,7 @@ fn rules_that_need_a_broken_one_are_not_checked() {
     assert_eq!(p4.not_checked().as_deref(), Some(why));
 }
 
-/// Changes to links and lines, after which the validator leaves most rules out.
+/// Changes to links and lines after which the validator skips most rules.
 const BROKEN: [Change; 5] = [
     ("node 12 deleted", |rows| rows.0[NODE].retain(|row| row[0] != int(12))),
     ("next_left_edge of edge 14 with the other sign", |rows| {
@@ -252,7 +251,7 @@ const BROKEN: [Change; 5] = [
     ("edge 14 without line", |rows| rows.row(EDGE, 14)[GEOM] = None),
 ];
 
-/// Faults in records whose links are right.
+/// Faults in records with valid links.
 const APART: &[Change] = &[
     ("mbr_missing", |rows| rows.row(FACE, 3)[1] = None),
     ("mbr_wrong", |rows| {
@@ -282,7 +281,7 @@ fn one_broken_link_hides_no_fault_elsewhere() {
                 change(rows);
                 break_link(rows);
             });
-            // If only a line is missing, the validator has said it of the links already.
+            // If only a line is missing, the validator has already reported the links.
             let is_said =
                 *kind == "lies_elsewhere" && both.violations().iter().any(|one| one.kind.name() == "wrong_face");
             assert!(kinds(&both) > kinds(&alone) || is_said, "{kind} beside {name}\n{both}");
@@ -290,7 +289,7 @@ fn one_broken_link_hides_no_fault_elsewhere() {
     }
 }
 
-/// Lines that do not cross are not said to cross because a link is broken.
+/// A broken link does not make lines appear to cross.
 #[test]
 fn a_broken_link_is_no_fault_of_the_lines() {
     for (name, break_link) in BROKEN {
@@ -306,7 +305,7 @@ fn the_records_that_are_left_out_are_counted() {
         audit.rules().iter().find(|rule| rule.id == id).and_then(twinedge_formats::diagnosis::RuleLine::not_checked)
     };
     let audit = changed(BROKEN[0].1);
-    // Four signed edges leave the node, and four arrive. L1 and L2 ask for no node.
+    // Four signed edges leave the node, and four arrive. L1 and L2 do not depend on nodes.
     assert_eq!(
         not_checked(&audit, "L3").as_deref(),
         Some("not checked on 4 of 28 signed edges: needs R1, which is broken")
@@ -321,7 +320,7 @@ fn the_records_that_are_left_out_are_counted() {
     assert!(shown.contains("\nG4 disjoint   ok, 13 edges; not checked on 1 of 14 edges: needs P1"), "{shown}");
 }
 
-/// One wrong link switches G5 off. Lines and points say where isolated nodes lie even so.
+/// One invalid link disables G5. Lines and points still locate isolated nodes.
 #[test]
 fn isolated_nodes_are_placed_without_links() {
     let outcome = |audit: &TopologyAudit| audit.rules().iter().find(|rule| rule.id == "P2").cloned().expect("listed");
@@ -334,7 +333,7 @@ fn isolated_nodes_are_placed_without_links() {
     let g5 = right.rules().iter().find(|rule| rule.id == "G5").expect("listed");
     assert!(g5.unchecked.is_some());
     assert_eq!((outcome(&right).violations, outcome(&right).unchecked), (0, None));
-    // Each isolated node in each face that is not its own.
+    // Each isolated node in each face other than its own.
     let rows = Rows::of(TOWN);
     let faces: Vec<_> = rows.0[FACE].iter().map(|row| row[0].clone()).collect();
     let isolated: Vec<_> = rows.0[NODE].iter().filter(|row| row[1].is_some()).cloned().collect();
@@ -355,7 +354,7 @@ fn isolated_nodes_are_placed_without_links() {
             assert_eq!(messages(&audit), [message]);
         }
     }
-    // If the lines around a face do not close, nobody knows what lies in it, so P2 is not checked.
+    // If the lines around a face do not close, its contents are unknown, so P2 is not checked.
     let unknown = changed(|rows| {
         wrong_link(rows);
         rows.row(EDGE, 1)[LEFT_FACE] = int(3);

@@ -1,4 +1,4 @@
-//! Topologies that PostGIS wrote are read as they are, and valid.
+//! Topologies written by PostGIS are read unchanged, and are valid.
 
 use crate::support::{DECIMAL, EDGE, END, GEOM, LARGE_IDS, NODE, OLD_TOWN, Row, Rows, START, TOWN, int, line};
 use twinedge::validate::{Record, View};
@@ -30,13 +30,13 @@ fn half_edges_are_edges_with_a_sign() {
     assert_eq!(name(town.next(h ^ 1), Record::HalfEdge), "-6");
     assert_eq!([h, h ^ 1].map(|h| name(town.origin(h), Record::Vertex)), ["1", "2"]);
     assert_eq!([h, h ^ 1].map(|h| name(town.face(h), Record::Face)), ["2", "0"]);
-    // Edge 2 bends twice.
+    // Edge 2 has two bends.
     let h = (0..town.half_edge_slots()).find(|h| town.name(Record::HalfEdge(*h)) == "-2").unwrap();
     assert_eq!([0, 1].map(|i| <[f64; 2]>::from(town.bend(h, i))), [[100.0, 100.0], [100.0, 0.0]]);
     assert_eq!([0, 1].map(|i| town.bend(h ^ 1, 1 - i)), [0, 1].map(|i| town.bend(h, i)));
 }
 
-/// The same topology with geometries in the other byte order, and with ISO's numbers for a third dimension.
+/// The town with geometries in the other byte order, and with ISO's numbers for a third dimension.
 #[test]
 fn geometries_may_be_written_otherwise() {
     let mut rows = Rows::of(TOWN);
@@ -66,7 +66,7 @@ fn repeated_points_are_no_bends() {
     assert_eq!((audit.counts().bends, audit.counts().repeated_points), (17, 3));
 }
 
-/// Rows come in the order in which the database keeps them.
+/// Rows come in the database's order.
 #[test]
 fn the_order_of_rows_does_not_matter() {
     let mut rows = Rows::of(TOWN);
@@ -84,7 +84,7 @@ fn a_node_may_lie_in_the_universe() {
     assert!(rows.0[NODE].iter().any(|row| row[1] == Some(vec![0; 4])));
 }
 
-/// The ids of nodes by this numbering of theirs, in the order of the rows.
+/// Renumbers the nodes, keeping the order of the rows.
 fn numbered(rows: &mut Rows, number: impl Fn(i32) -> i32) {
     let change = |row: &mut Row, column: usize| {
         let id = i32::from_be_bytes(row[column].as_deref().unwrap().try_into().unwrap());

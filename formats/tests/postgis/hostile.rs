@@ -1,11 +1,11 @@
-//! Streams made to do harm: every prefix and many changes of good ones end in a topology or in a typed error with its place.
+//! Malicious streams: every prefix and many changes of valid streams lead to a topology or to a typed error with its place.
 
 use crate::support::{DECIMAL, EDGE, GEOM, LARGE_IDS, Rows, START, TOWN};
 use quickcheck::{Gen, QuickCheck};
 use std::io::BufReader;
 use twinedge_formats::postgis::{Cause, ReadError, TableName, audit, read};
 
-/// Reads, and audits what was read; true if it is a topology.
+/// Reads and audits the input; returns true if it is a topology.
 fn survives(bytes: &[u8]) -> bool {
     match read(bytes, 10) {
         Ok(topology) => {
@@ -57,7 +57,7 @@ fn changed_bytes() {
     QuickCheck::new().tests(3000).rng(Gen::new(6)).quickcheck(survive as fn(Vec<(usize, u8)>));
 }
 
-/// Links and coordinates with any values, in streams that are well-formed.
+/// Links and coordinates with any values, in well-formed streams.
 #[test]
 fn changed_values() {
     fn survive(changes: Vec<(u8, u8, u8, i32)>) {
@@ -89,7 +89,7 @@ fn any_bytes() {
     QuickCheck::new().tests(3000).rng(Gen::new(300)).quickcheck(survive as fn(Vec<u8>, bool));
 }
 
-/// A pipe hands over any number of bytes at a time.
+/// A pipe returns any number of bytes at a time.
 #[test]
 fn streams_may_come_in_small_pieces() {
     let whole = audit(&read(TOWN, 100).unwrap(), 100).unwrap();
@@ -118,7 +118,7 @@ fn errors_say_where_and_what() {
     assert_eq!((place.as_str(), cause), ("table edge_data, row 5, column start_node", Cause::Width(3)));
     let mut rows = Rows::of(TOWN);
     rows.0[EDGE].truncate(4);
-    // Then come the number of columns, an integer with its length, and the length of the next.
+    // The number of columns follows, an integer with its length, and the length of the next.
     assert_eq!(byte, rows.bytes().len() as u64 - 2 + 2 + 8 + 4);
     assert_eq!(changed(EDGE, 0, GEOM, &[2, 2, 0, 0, 0]).2, Cause::ByteOrder(2));
     assert_eq!(changed(EDGE, 0, GEOM, &[]).2, Cause::GeometryTruncated);

@@ -1,4 +1,4 @@
-//! Topologies of PostGIS: what is read, what is found, what it is called.
+//! Topologies of PostGIS: reading, findings and names.
 #![allow(clippy::needless_pass_by_value, reason = "quickcheck hands properties their input by value")]
 
 mod findings;

@@ -1,9 +1,9 @@
-//! The SQL of findings: the rows that it shows, and the one way to mend them.
+//! The SQL of findings: the rows that it shows, and the only way to fix them.
 
 use crate::support::{Change, EDGE, FACE, GEOM, LEFT_FACE, NEXT_LEFT, NODE, Rows, START, TOWN, int, line, polygon};
 use twinedge_formats::diagnosis::Sql;
 
-/// The statements for the violations of a kind after a change of the town.
+/// Returns the statements for the violations of a kind after a change of the town.
 fn sql(kind: &str, change: impl FnOnce(&mut Rows)) -> Vec<Sql> {
     let mut rows = Rows::of(TOWN);
     change(&mut rows);
@@ -14,7 +14,7 @@ fn sql(kind: &str, change: impl FnOnce(&mut Rows)) -> Vec<Sql> {
     found
 }
 
-/// A kind of finding, a change that makes one, the query of its rows, and the statements that mend it.
+/// A kind of finding, a change that causes one, the query of its rows, and the statements that fix it.
 type Case = (&'static str, fn(&mut Rows), &'static str, &'static [&'static str]);
 
 const CASES: &[Case] = &[
@@ -98,7 +98,7 @@ fn what_can_be_mended_in_one_way_has_its_sql() {
     }
 }
 
-/// The row of a node or a face is restored once, whichever of its edges is asked.
+/// The row of a node or a face is restored once, although several edges need it.
 #[test]
 fn a_row_that_all_its_edges_ask_for_is_restored() {
     for found in sql("dangling", |rows| rows.0[NODE].retain(|row| row[0] != int(12))) {
@@ -113,19 +113,19 @@ fn a_row_that_all_its_edges_ask_for_is_restored() {
     }
 }
 
-/// Nothing is proposed if the row may be the wrong one, or its neighbour.
+/// There is no proposal if the row may be the invalid one, or its neighbour.
 #[test]
 fn what_takes_a_choice_has_no_mend() {
     let cases: &[Change] = &[
         // The line or the node was moved.
         ("starts_elsewhere", |rows| rows.row(EDGE, 5)[GEOM] = line(&[[41.0, 60.0], [40.0, 100.0]])),
-        // The edge may be restored, or the faces on its two sides may be one.
+        // The edge may be restored, or the faces on its two sides merged.
         ("dangling", |rows| rows.0[EDGE].retain(|row| row[0] != int(5))),
         ("segments_cross", |rows| rows.row(EDGE, 3)[GEOM] = line(&[[40.0, 0.0], [-5.0, 30.0], [40.0, 60.0]])),
         // The box of a face whose line crosses others.
         ("mbr_wrong", |rows| rows.row(EDGE, 3)[GEOM] = line(&[[40.0, 0.0], [-5.0, 30.0], [40.0, 60.0]])),
         ("face_without_edges", |rows| rows.0[FACE].push(vec![int(99), None])),
-        // Two of three edges name another face: it is not known which of the two faces is meant.
+        // Two of three edges name another face: the right one of the two faces is unknown.
         ("face_changes", |rows| {
             for (edge, column) in [(13, 8), (14, 8)] {
                 assert_eq!(rows.row(EDGE, edge)[column], int(0));
@@ -140,7 +140,7 @@ fn what_takes_a_choice_has_no_mend() {
     }
 }
 
-/// Ids of edges that are not positive are shown as they are.
+/// Nonpositive ids of edges are shown unchanged.
 #[test]
 fn queries_name_ids_as_the_table_has_them() {
     assert_eq!(

@@ -1,11 +1,11 @@
-//! Streams as rows, and back: a second reading of the format, in the plainest way.
+//! Converts streams to rows and back: a second, minimal reader of the format.
 #![allow(clippy::unnecessary_wraps, reason = "a value of a row may be null")]
 
 use twinedge_formats::postgis::{Topology, TopologyAudit, audit, read};
 
-/// The map that `tests/postgis/maps.sql` calls `town`, as `PostgreSQL` 15 with PostGIS 3.3.2 wrote it.
+/// The map `town` of `tests/postgis/maps.sql`, written by `PostgreSQL` 15 with PostGIS 3.3.2.
 pub(crate) const TOWN: &[u8] = include_bytes!("data/town.copy");
-/// The others of that file.
+/// The other maps of that file.
 pub(crate) const DECIMAL: &[u8] = include_bytes!("data/decimal.copy");
 pub(crate) const LARGE_IDS: &[u8] = include_bytes!("data/large_ids.copy");
 pub(crate) const OLD_TOWN: &[u8] = include_bytes!("data/old_town.copy");
@@ -13,10 +13,9 @@ pub(crate) const OLD_TOWN: &[u8] = include_bytes!("data/old_town.copy");
 /// A row: the bytes of each value, or null.
 pub(crate) type Row = Vec<Option<Vec<u8>>>;
 
-/// A change of the rows, with a name.
+/// A named change of the rows.
 pub(crate) type Change = (&'static str, fn(&mut Rows));
 
-/// The rows of the three tables.
 #[derive(Clone)]
 pub(crate) struct Rows(pub(crate) [Vec<Row>; 3]);
 
@@ -24,7 +23,7 @@ pub(crate) const NODE: usize = 0;
 pub(crate) const FACE: usize = 1;
 pub(crate) const EDGE: usize = 2;
 
-/// Columns of edges.
+/// The columns of edges.
 pub(crate) const START: usize = 1;
 pub(crate) const END: usize = 2;
 pub(crate) const NEXT_LEFT: usize = 3;
@@ -33,7 +32,7 @@ pub(crate) const LEFT_FACE: usize = 7;
 pub(crate) const GEOM: usize = 9;
 
 impl Rows {
-    /// Of streams that are right.
+    /// Parses a valid stream.
     pub(crate) fn of(bytes: &[u8]) -> Self {
         let mut at = 0;
         let mut take = |count: usize| {
@@ -81,24 +80,20 @@ impl Rows {
         audit(&self.read(), 100).expect("there is memory")
     }
 
-    /// The row of a table with this id, of 4 bytes.
     pub(crate) fn row(&mut self, table: usize, id: i32) -> &mut Row {
         let found = self.0[table].iter_mut().find(|row| row[0] == int(id));
         found.expect("there is such a row")
     }
 }
 
-/// An integer of 4 bytes.
 pub(crate) fn int(value: i32) -> Option<Vec<u8>> {
     Some(value.to_be_bytes().to_vec())
 }
 
-/// A point.
 pub(crate) fn point(x: f64, y: f64) -> Option<Vec<u8>> {
     Some([&[1, 1, 0, 0, 0], &x.to_le_bytes()[..], &y.to_le_bytes()].concat())
 }
 
-/// A line.
 pub(crate) fn line(points: &[[f64; 2]]) -> Option<Vec<u8>> {
     let coordinates = points.iter().flatten().flat_map(|x| x.to_le_bytes());
     Some([1, 2, 0, 0, 0].into_iter().chain((points.len() as u32).to_le_bytes()).chain(coordinates).collect())

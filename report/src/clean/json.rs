@@ -6,7 +6,7 @@ use twinedge_formats::diagnosis::{Diagnosis, FeatureName, Kind, Measures};
 use twinedge_formats::layer::clean::{AddedVertex, FeatureChange, LayerChange, Remaining};
 
 impl Cleaning<'_> {
-    /// The report as JSON.
+    /// Returns the report as JSON.
     #[must_use]
     pub fn json(&self) -> serde_json::Value {
         let Self { name, decimals, report, written, elapsed_ms, .. } = self;
@@ -75,7 +75,7 @@ impl Cleaning<'_> {
             "added_vertices": report.added.iter().map(added).collect::<Vec<_>>(),
             "changed": report.features.iter().map(changed).collect::<Vec<_>>(),
             "left": left,
-            // Gaps that are wider than `--lake-width`, or `--gap-width`.
+            // Gaps wider than `--lake-width` or `--gap-width`.
             "wider_gaps": all(&report.wider_gaps),
             "accepted_gaps": all(&report.accepted_gaps),
             "tiles": self.tiles.as_ref().map(|tiles| &tiles.json),
@@ -85,7 +85,6 @@ impl Cleaning<'_> {
     }
 }
 
-/// An object without the members that are null.
 fn without_null(mut object: serde_json::Value) -> serde_json::Value {
     object.as_object_mut().into_iter().for_each(|members| members.retain(|_, value| !value.is_null()));
     object

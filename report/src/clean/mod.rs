@@ -1,4 +1,5 @@
-//! A layer that was cleaned, in words and as JSON: the names of its features, why each has changed, and what is left.
+//! The report on a cleaned layer, in words and as JSON: the names of its features, the reason for each change, and the
+//! remaining findings.
 
 mod json;
 mod names;
@@ -23,36 +24,32 @@ pub use patch::{Changes, GeometryChange, Patch, PatchError, TextChange};
 pub use repair::Repair;
 pub use tiles::{CleanedTiles, clean_in_tiles};
 
-/// A layer, cleaned.
+/// The report on a cleaned layer.
 #[derive(Debug)]
 pub struct Cleaning<'a> {
     name: &'a str,
-    /// The number of features.
     features: usize,
-    /// The names of the features that the report is about, by number.
     called: Vec<(usize, Called)>,
-    /// The number of decimal places with which a place is shown.
     decimals: usize,
     report: &'a CleanReport,
-    /// The file that was written.
+    /// The written file.
     pub written: Option<&'a Written>,
-    /// The width from which on gaps are accepted.
+    /// The width from which gaps are accepted.
     greatest_gap: Option<f64>,
-    /// True if the width of gaps was to be chosen.
+    /// True for `--gap-width auto`.
     chooses_width: bool,
-    /// The tiles, if it was cleaned by these.
     tiles: Option<ToldTiles>,
-    /// The file that takes it back.
+    /// The file that undoes the cleaning.
     pub patch: Option<&'a str>,
-    /// The changes that each feature has a part in.
+    /// The changes that each feature takes part in.
     changes: BTreeMap<usize, Vec<&'a LayerChange>>,
-    /// The features whose vertices each feature has got.
+    /// The features whose vertices each feature received.
     neighbours: BTreeMap<usize, BTreeSet<usize>>,
-    /// The time that it took, in milliseconds.
+    /// The elapsed time in milliseconds.
     pub elapsed_ms: f64,
 }
 
-/// A file that was written.
+/// A written file.
 #[derive(Clone, Debug)]
 pub struct Written {
     /// Its name.
@@ -62,7 +59,7 @@ pub struct Written {
 }
 
 impl<'a> Cleaning<'a> {
-    /// A layer after it was cleaned as it was asked, and the report of that.
+    /// Creates the report on a layer that `repair` cleaned.
     #[must_use]
     pub fn new(name: &'a str, repair: &Repair<'a>, layer: &Layer, report: &'a CleanReport) -> Self {
         let called = |number: usize| Some((number, Called::new(repair.names, layer.features.get(number)?)));
@@ -74,7 +71,7 @@ impl<'a> Cleaning<'a> {
         Self { features: layer.features.len(), called, decimals: decimals(largest), ..Self::of(name, repair, report) }
     }
 
-    /// The same of a layer that was cleaned by its tiles.
+    /// Creates the report on a layer that was cleaned by tiles.
     #[must_use]
     pub fn of_tiles(name: &'a str, repair: &Repair<'a>, tiles: &'a CleanedTiles) -> Self {
         let cleaning = Self {
@@ -118,7 +115,6 @@ impl<'a> Cleaning<'a> {
 }
 
 impl Cleaning<'_> {
-    /// The name for a feature.
     fn label(&self, number: usize) -> String {
         self.called(number).label(number)
     }
@@ -138,7 +134,6 @@ impl Cleaning<'_> {
         numbers.iter().map(|number| self.label(*number)).collect::<Vec<_>>().join(", ")
     }
 
-    /// Why a feature has another geometry.
     fn reasons(&self, feature: &FeatureChange) -> Vec<String> {
         let number = feature.feature;
         let mut reasons = Vec::new();
@@ -175,7 +170,7 @@ impl Cleaning<'_> {
         reasons
     }
 
-    /// The features that have no geometry any more, and accepted places in which there is no gap, each in a sentence.
+    /// Warns of features that lost their geometry, and of accepted places without a gap.
     fn warnings(&self) -> Vec<String> {
         let gone = self.report.features.iter().filter(|feature| feature.points_after == 0);
         let warning = |feature: &FeatureChange| {
@@ -193,7 +188,7 @@ impl Cleaning<'_> {
         gone.map(warning).chain(unmet).collect()
     }
 
-    /// Something that was left, and what would take it.
+    /// Describes a remaining finding and the option that would remove it.
     fn remaining(&self, one: &Remaining, decimals: usize) -> String {
         let hint = match one.rule {
             CoverageRule::Gap => format!("; --gap-width {} would fill it", rounded_up(one.width)),
@@ -203,7 +198,6 @@ impl Cleaning<'_> {
         format!("{}{hint}", self.described(one, decimals))
     }
 
-    /// Something that was left.
     fn described(&self, one: &Remaining, decimals: usize) -> String {
         let Remaining { rule, features, area, width, at, .. } = one;
         let what = match features.len() {
@@ -218,7 +212,6 @@ impl Cleaning<'_> {
     }
 }
 
-/// A number that is at least as large, with three digits.
 fn rounded_up(x: f64) -> f64 {
     let unit = 10_f64.powf(x.abs().max(f64::MIN_POSITIVE).log10().floor() - 2.0);
     let text = format!("{:.2e}", (x / unit).ceil() * unit);

@@ -5,13 +5,12 @@ use crate::words::plain;
 use std::collections::BTreeSet;
 use twinedge_formats::layer::{Feature, Layer, Value};
 
-/// The number of columns that an error lists.
 const COLUMNS: usize = 20;
 
 /// The source of the names of features.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Names<'a> {
-    /// The column that was asked for.
+    /// The requested column.
     pub from: Option<&'a str>,
 }
 
@@ -37,7 +36,6 @@ impl Names<'_> {
         Err(no_column(column, known))
     }
 
-    /// Notes the columns of a feature for an error.
     pub(super) fn columns(self, feature: &Feature, known: &mut BTreeSet<String>) {
         if self.from.is_some() {
             known.extend(feature.attributes.iter().map(|(name, _)| plain(name)));
@@ -45,7 +43,7 @@ impl Names<'_> {
     }
 }
 
-/// The error that no feature has a column, with the first of those that there are.
+/// Returns the error for a column that no feature has, with the first known columns.
 pub(super) fn no_column(column: &str, known: BTreeSet<String>) -> Error {
     Error::NoColumn { column: column.to_owned(), known: known.into_iter().take(COLUMNS).collect() }
 }

@@ -1,4 +1,4 @@
-//! A patch: what cleaning changed, and takes back.
+//! A patch: the changes made by cleaning, and a way to undo them.
 
 use crate::verdict::Judged;
 use serde::{Deserialize, Serialize};
@@ -7,13 +7,13 @@ use twinedge_formats::layer::{
     Edit, Feature, Format, Geometry, Id, Layer, ReadError, ReadOptions, WriteError, edited, read_layer, write,
 };
 
-/// The changes that made one file of another, as JSON. It belongs to these two files, byte for byte.
+/// The changes from one file to another, as JSON. A patch belongs to these two files, byte for byte.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Patch {
     /// The version of the program that wrote it.
     pub twinedge: String,
-    /// The bytes of the input; of a Shapefile, those of the `.shp`.
+    /// The bytes of the input; for a Shapefile, the bytes of the `.shp`.
     pub input: Judged,
     /// The bytes of the output.
     pub output: Judged,
@@ -25,9 +25,9 @@ pub struct Patch {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Changes {
-    /// Stretches of a text of GeoJSON. What lies between them is the same in both files, so the input comes back to the byte.
+    /// Stretches of GeoJSON text. The text between them is equal in both files, so undoing restores the input byte for byte.
     Text(Vec<TextChange>),
-    /// Geometries, where formats differ or are not text.
+    /// Geometries, if the formats differ or are not text.
     Geometries(Vec<GeometryChange>),
 }
 
@@ -35,7 +35,7 @@ pub enum Changes {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct TextChange {
-    /// The number of the feature, counted from 0; none for a member of the whole.
+    /// The number of the feature, counted from 0; `None` for a member of the whole file.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub feature: Option<usize>,
     /// Its id.
@@ -58,7 +58,7 @@ pub struct GeometryChange {
     /// Its id.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub id: Option<String>,
-    /// True if the feature is not in the input.
+    /// True if the input does not have the feature.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub made: bool,
     /// The geometry in the input as well-known text; null for none.
@@ -67,25 +67,25 @@ pub struct GeometryChange {
     pub after: Option<String>,
 }
 
-/// Why a patch takes nothing back.
+/// The reason why a patch cannot be undone.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum PatchError {
-    /// The file is not the output that the patch belongs to.
+    /// The file is not the patch's output.
     #[error("the patch belongs to a file of {} bytes with the SHA-256 {}, and this one has {} bytes and {}", .patch.bytes, .patch.sha256, .file.bytes, .file.sha256)]
     OtherFile {
-        /// The output that the patch belongs to.
+        /// The output named by the patch.
         patch: Judged,
         /// The file.
         file: Judged,
     },
-    /// The changes do not lead to the input, so the patch itself was changed.
+    /// The changes do not lead to the input, so the patch itself was edited.
     #[error("the patch does not lead back to the input that it names: it was changed")]
     OtherInput,
     /// The file has no such feature.
     #[error("the patch is about feature {0}, which the file does not have")]
     NoFeature(usize),
-    /// A geometry is no well-known text.
+    /// A geometry is not well-known text.
     #[error("the geometry of feature {feature} in the patch: {error}")]
     Geometry {
         /// The feature.
@@ -99,10 +99,10 @@ pub enum PatchError {
 }
 
 impl Patch {
-    /// Of a text in which these [changes](Edit) were made, and the text afterwards. O(bytes).
+    /// Creates a patch from a text, the [changes](Edit) made to it, and the layer afterwards. Also returns the text afterwards. O(bytes).
     ///
     /// # Panics
-    /// If the changes are not of this text.
+    /// Panics if the changes do not belong to this text.
     #[must_use]
     pub fn of_text(before: &str, edits: &[Edit], after: &Layer) -> (Self, String) {
         let mut behind = 0;
@@ -125,7 +125,7 @@ impl Patch {
         (Self { twinedge: version(), input, output: made, changes: Changes::Text(changes) }, output)
     }
 
-    /// Of the layer after it was cleaned, and the report of that. O(positions of the features that changed).
+    /// Creates a patch from a cleaned layer and its report. O(positions of the changed features).
     ///
     /// # Errors
     /// [`PatchError::Write`].
@@ -145,7 +145,7 @@ impl Patch {
         Ok(Self { twinedge: version(), input, output, changes: Changes::Geometries(changes) })
     }
 
-    /// Refuses a file that is not the output that it belongs to.
+    /// Refuses a file that is not the patch's output.
     ///
     /// # Errors
     /// [`PatchError::OtherFile`].
@@ -156,7 +156,7 @@ impl Patch {
         Err(PatchError::OtherFile { patch: self.output.clone(), file: file.clone() })
     }
 
-    /// The text of the input, by changes of a text and the text of the output. O(bytes).
+    /// Returns the input's text, from changes of a text and the output's text. O(bytes).
     ///
     /// # Errors
     /// [`PatchError::OtherFile`] and [`PatchError::OtherInput`].
@@ -174,7 +174,7 @@ impl Patch {
         if Judged::of_bytes(input.as_bytes()) == self.input { Ok(input) } else { Err(PatchError::OtherInput) }
     }
 
-    /// Gives features of the output the geometries that they had, and drops those that were made. The layer is to be that of a file that
+    /// Restores the geometries of the features in the output, and drops features that the input does not have. The layer must come from a file that
     /// [was not refused](Self::refuse_other). O(positions of these features).
     ///
     /// # Errors

@@ -1,18 +1,18 @@
-//! The way in which a layer is to be cleaned, as it is asked for.
+//! The options for cleaning a layer.
 
 use super::names::Names;
 use crate::error::Error;
 use twinedge_formats::layer::Layer;
 use twinedge_formats::layer::clean::{CleanOptions, CleanReport, GapsTo, clean};
 
-/// The way in which a layer is to be cleaned.
+/// The options for cleaning a layer.
 #[derive(Clone, Debug, Default)]
 pub struct Repair<'a> {
     /// The names of features in the report.
     pub names: Names<'a>,
     /// The options.
     pub options: CleanOptions,
-    /// The column and the value of the features to which gaps go, in the place of those of the options.
+    /// The column and value of the features that receive gaps; replaces the field of the options.
     pub gaps_to: Option<(&'a str, &'a str)>,
 }
 

@@ -9,10 +9,10 @@ use twinedge_coverage::clean::{ChangeKind, ChosenWidth};
 use twinedge_formats::layer::clean::{FeatureChange, LayerChange, Left};
 
 impl Cleaning<'_> {
-    /// The report as text, with so many changes.
+    /// Returns the report as text, with at most `list` changes.
     ///
     /// # Errors
-    /// None that happens: writing to a string does not fail.
+    /// Never: writing to a string does not fail.
     pub fn text(&self, list: usize) -> Result<String, std::fmt::Error> {
         let Self { name, report, decimals, .. } = self;
         let decimals = *decimals;
@@ -105,7 +105,6 @@ impl Cleaning<'_> {
         Ok(out)
     }
 
-    /// The neighbourhoods that were left, at most so many.
     fn write_too_large(&self, out: &mut String, list: usize) -> std::fmt::Result {
         for one in self.tiles.iter().flat_map(|tiles| &tiles.too_large).take(list) {
             writeln!(out, "{BAD}not cleaned{BAD:#}: {one}")?;
@@ -113,7 +112,6 @@ impl Cleaning<'_> {
         Ok(())
     }
 
-    /// The last line.
     fn write_verdict(&self, out: &mut String) -> std::fmt::Result {
         let too_large = self.tiles.as_ref().map_or(0, |tiles| tiles.too_large.len());
         match &self.report.left {
@@ -126,7 +124,7 @@ impl Cleaning<'_> {
         }
     }
 
-    /// The width up to which gaps were filled, if it was to be chosen.
+    /// The width up to which gaps were filled, for `--gap-width auto`.
     fn width(&self) -> String {
         let text = match self.report.chosen {
             Some(ChosenWidth { width, gaps, next, .. }) => {
@@ -142,7 +140,7 @@ impl Cleaning<'_> {
         format!("  {QUIET}{text}{QUIET:#}")
     }
 
-    /// The number of gaps that were left because they are wider than asked for.
+    /// The number of gaps left because they are wider than the limit.
     fn wider(&self) -> String {
         match (self.report.wider_gaps.len(), self.greatest_gap) {
             (0, _) | (_, None) => String::new(),
@@ -163,7 +161,7 @@ impl Cleaning<'_> {
     }
 }
 
-/// The remains, and what removes them.
+/// The remaining findings, and the options that remove them.
 fn left_text(left: &Left) -> String {
     if !left.is_plane {
         return "borders still cross; --snap SIZE rounds them to a coarser grid".to_owned();

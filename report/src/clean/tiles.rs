@@ -1,5 +1,4 @@
-//! Cleaning a file that is larger than memory. Its tiles are judged, and the neighbourhoods of what is wrong are cleaned. Then the tiles of the result
-//! are judged.
+//! Cleans a file that is larger than memory: judges its tiles, cleans the neighbourhoods of findings, and judges the tiles of the result.
 
 use super::names::no_column;
 use super::told::{Called, ToldTiles, mentioned};
@@ -20,34 +19,32 @@ use twinedge_formats::layer::clean::{
 };
 use twinedge_formats::layer::{Feature, FileError, GeoJsonFile, to_map};
 
-/// The bytes that cleaning takes for each vertex of a neighbourhood: twice those that were measured.
+/// The bytes used per vertex of a neighbourhood: twice the measured number.
 const BYTES: u64 = 800;
 
-/// The result is judged and cleaned again at most so many times, until nothing changes any more.
+/// The maximal number of rounds in which the result is judged and cleaned again.
 const ROUNDS: usize = 8;
 
-/// A measured number is this much more, to be safe from rounding.
+/// The factor by which measured numbers are increased against rounding.
 const ROUNDING: f64 = 1.0 + 1e-6;
 
-/// A layer that was cleaned by its tiles.
+/// A layer cleaned by tiles.
 #[derive(Clone, Debug)]
 pub struct CleanedTiles {
     /// The report.
     pub report: CleanReport,
-    /// The neighbourhoods that were left as they are, because they have more vertices than there was memory for.
+    /// The neighbourhoods left unchanged because they have more vertices than fit into memory.
     pub too_large: Vec<TooLarge>,
     pub(super) features: usize,
     pub(super) called: Vec<(usize, Called)>,
-    /// The largest coordinate.
     pub(super) largest: f64,
     grid: Grid,
     neighbourhoods: usize,
-    /// The number of vertices of the largest neighbourhood.
     vertices: u64,
 }
 
 impl CleanedTiles {
-    /// The tiles as the text and the JSON have them, places with so many decimals.
+    /// Returns the tiles as the text and the JSON show them, with `decimals` decimal places.
     pub(super) fn told(&self, decimals: usize, named: impl Fn(&usize) -> FeatureName) -> ToldTiles {
         let [columns, rows] = self.grid.size();
         let neighbourhoods = counted(self.neighbourhoods, "neighbourhood");
@@ -78,10 +75,10 @@ impl CleanedTiles {
     }
 }
 
-/// Cleans a file by its tiles: `open` opens it, and hands over its features; `shelves` makes empty shelves. The file then has the features as they are
-/// now, and is to be written. Of the options, `snap`, `chooses_width` and `gaps_to` are left out of account: they look at the whole layer.
+/// Cleans a file by tiles. `open` opens the file and hands over its features; `shelves` creates empty shelves. The returned file has the cleaned
+/// features, for the caller to write. The options `snap`, `chooses_width` and `gaps_to` are ignored, because they look at the whole layer.
 ///
-/// Costs what two audits by tiles cost and what cleaning the neighbourhoods does. Memory is that of the audit, 64 bytes for each feature, and that of the
+/// Costs two audits by tiles plus the cleaning of the neighbourhoods. Needs the memory of an audit, 64 bytes for each feature, and the memory for the
 /// largest neighbourhood, which is bounded as tiles are.
 ///
 /// # Errors
@@ -155,13 +152,12 @@ pub fn clean_in_tiles(
     Ok((file, tiles))
 }
 
-/// The notes of the first reading of a file.
 struct FirstReading<'a> {
     names: Names<'a>,
     features: u32,
     is_named: bool,
     columns: BTreeSet<String>,
-    /// The features whose rings are open or repeat points, which breaks no rule, each by itself.
+    /// The features whose rings are open or repeat points. This breaks no rule; each feature is a set by itself.
     untidy: Vec<Vec<usize>>,
 }
 
@@ -181,7 +177,6 @@ impl<'a> FirstReading<'a> {
         shelf.put(polygons(feature))
     }
 
-    /// Refuses a column that no feature has.
     fn checked(self) -> Result<Self, Error> {
         match self.names.from {
             Some(column) if !self.is_named => Err(no_column(column, self.columns)),
@@ -190,7 +185,7 @@ impl<'a> FirstReading<'a> {
     }
 }
 
-/// The polygons of a feature, as a map has them.
+/// Returns a feature's polygons as a map takes them.
 fn polygons(feature: &Feature) -> twinedge_map::Feature {
     let mut shapes = to_map(feature, &mut ReadSummary::default()).shapes;
     shapes.retain(|shape| matches!(shape, twinedge_map::Shape::Polygon(_)));
@@ -198,7 +193,7 @@ fn polygons(feature: &Feature) -> twinedge_map::Feature {
     twinedge_map::Feature { shapes, ..twinedge_map::Feature::default() }
 }
 
-/// The limits by which the layer is judged, as cleaning the whole does.
+/// Returns the limits for judging the layer, as in cleaning the whole layer.
 fn limits(options: &CleanOptions) -> Limits {
     let assign = options.assign.clone();
     Limits {
@@ -215,7 +210,7 @@ fn unknown(outcome: &Outcome) -> Error {
     Error::Unjudged(why)
 }
 
-/// The sets of features with something wrong between them that cleaning mends.
+/// Returns the sets of features with a finding between them that cleaning fixes.
 fn concerned(outcome: &Outcome, options: &CleanOptions) -> Vec<Vec<usize>> {
     let assign = &options.assign;
     let is_filled = |gap: &Finding| {

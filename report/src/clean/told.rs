@@ -1,4 +1,4 @@
-//! Parts of a report on cleaning: the names of features, and the tiles. They are made with the report.
+//! Parts of a report on cleaning, computed together with it: the names of features, and the tiles.
 
 use super::Names;
 use crate::words::plain;
@@ -6,7 +6,6 @@ use serde_json::Value;
 use twinedge_formats::layer::Feature;
 use twinedge_formats::layer::clean::CleanReport;
 
-/// The id and the name of a feature.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Called {
     pub(super) id: Option<String>,
@@ -18,7 +17,6 @@ impl Called {
         Self { id: feature.id.as_ref().map(ToString::to_string), name: names.of(feature) }
     }
 
-    /// The name for the feature with this number.
     pub(super) fn label(&self, number: usize) -> String {
         plain(&match (&self.name, &self.id) {
             (Some(name), Some(id)) if name != id => format!("{name} ({id})"),
@@ -29,7 +27,7 @@ impl Called {
     }
 }
 
-/// The features that a report is about, in order.
+/// Returns the features mentioned in a report, in order.
 pub(super) fn mentioned(report: &CleanReport) -> Vec<usize> {
     let mut all = report.touched();
     all.extend(report.made);
@@ -41,12 +39,10 @@ pub(super) fn mentioned(report: &CleanReport) -> Vec<usize> {
     all
 }
 
-/// The tiles by which a layer was cleaned.
 #[derive(Debug)]
 pub(super) struct ToldTiles {
-    /// The line of the text.
     pub(super) line: String,
-    /// A line for each neighbourhood that was left as it is.
+    /// A line for each neighbourhood that was left unchanged.
     pub(super) too_large: Vec<String>,
     pub(super) json: Value,
 }

@@ -1,4 +1,4 @@
-//! Features that are read ahead of whoever takes them.
+//! Features are read ahead of their consumer.
 //!
 //! ```text
 //!   this thread      read ─► read ─► read ─► …      a million points ahead, or one feature, and as many that come back to be freed
@@ -15,18 +15,18 @@ use twinedge_formats::layer::{
 };
 use twinedge_map::{Feature, Shape};
 
-/// The number of points from which on a batch is handed over.
+/// The number of points that fills a batch.
 const BATCH: usize = 1 << 12;
 
-/// The number of batches that wait to be taken, at most. A larger batch counts as several: empty ones follow it.
+/// The maximal number of waiting batches. A larger batch counts as several: empty batches follow it.
 const AHEAD: usize = 1 << 8;
 
-/// The number of bytes that weigh as much as a point.
+/// The number of bytes with the weight of a point.
 const POINT: usize = 16;
 
-/// A feature that is read ahead.
+/// A value that can be read ahead.
 pub(crate) trait Ahead: Send {
-    /// The number of its points, where the feature itself, each of its shapes, rings and attributes, and each piece of a text count as one, too.
+    /// The number of points, plus one for the feature itself, each shape, ring and attribute, and each piece of text.
     fn weight(&self) -> usize;
 }
 
@@ -97,8 +97,8 @@ impl Ahead for LayerFeature {
     }
 }
 
-/// Reads features, and hands each to `take`, in order, on a thread of its own if one is to be had. The result is as if each were taken before
-/// the next is read: if a feature is refused and what follows cannot be read, the error is that of the former.
+/// Reads features and hands each to `take`, in order, on a separate thread if possible. The result is as if each feature were taken before the next
+/// is read: if a feature is refused and a later one cannot be read, the error is the refusal.
 pub(crate) fn read_ahead<T: Ahead, R>(
     take: &mut Take<'_, T>,
     read: impl FnOnce(&mut HandOn<'_, T>) -> Result<R, ReadError>,
@@ -110,7 +110,7 @@ pub(crate) fn read_ahead<T: Ahead, R>(
             let give_back = give_back;
             receiver.into_iter().try_for_each(|mut batch| {
                 batch.iter_mut().try_for_each(&mut *take)?;
-                // If too many wait already, it is dropped here.
+                // If too many batches wait already, this one is dropped here.
                 let _ = give_back.try_send(batch);
                 Ok(())
             })
@@ -118,7 +118,7 @@ pub(crate) fn read_ahead<T: Ahead, R>(
         let Ok(taker) = Builder::new().spawn_scoped(scope, taker) else { return Err(read) };
         let mut batches = Batches { sender, given_back, batch: Vec::new(), weight: 0 };
         let read = read(&mut |feature| batches.put(feature));
-        // Features that were read before an error may be refused.
+        // The features read before an error may still be refused.
         let _ = batches.hand_over();
         drop(batches);
         let taken = taker.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
@@ -127,10 +127,10 @@ pub(crate) fn read_ahead<T: Ahead, R>(
     ahead.unwrap_or_else(|read| read(&mut |mut feature| take(&mut feature)))
 }
 
-/// Features that are handed over, and come back.
+/// Features that are handed over and come back.
 struct Batches<T> {
     sender: SyncSender<Vec<T>>,
-    /// Batches that were taken. What was allocated on a thread is freed on it, so that two do not wait for one another.
+    /// Batches that come back: memory is freed on the thread that allocated it, so that the threads do not wait for each other.
     given_back: Receiver<Vec<T>>,
     batch: Vec<T>,
     weight: usize,
@@ -148,7 +148,7 @@ impl<T: Ahead> Batches<T> {
         Ok(())
     }
 
-    /// The error is of no account: that of the taker, who is gone then, is returned.
+    /// Hands over the current batch. Ignore its error: the taker is gone then, and its own error is returned.
     fn hand_over(&mut self) -> Result<(), ReadError> {
         let batch = std::mem::take(&mut self.batch);
         self.sender.send(batch).map_err(|_| ReadError::Refused("a feature was refused".into()))
@@ -210,7 +210,7 @@ mod tests {
         for (shapes, weight) in each.into_iter().chain([(of_rings(few), few + 2)]) {
             let feature = Feature { shapes, ..Feature::default() };
             let ahead = AtomicUsize::new(0);
-            // Beside those that wait, one batch is taken, one is handed over, and one is not full.
+            // Apart from the waiting batches, one is being taken, one handed over, and one filled.
             let most = (AHEAD + 3) * BATCH / weight + 1;
             let mut take = |_: &mut Feature| {
                 std::thread::yield_now();

@@ -1,4 +1,4 @@
-//! Places where arcs meet, and edges that are no arcs, as violations.
+//! Meeting arcs, and edges that are not arcs, as violations.
 
 use super::lines::lines;
 use crate::coverage::Coverage;
@@ -12,7 +12,6 @@ use twinedge_formats::diagnosis::{Diagnosis, Kind, Records, Trace};
 use twinedge_geometry::Point;
 use twinedge_sphere::{Clash, Drawing, Undrawn};
 
-/// An edge between antipodes.
 pub(super) fn antipodal(imported: &Imported, one: &Undrawn) -> Diagnosis {
     let places = one.ends.map(position);
     Diagnosis {
@@ -28,7 +27,6 @@ pub(super) fn antipodal(imported: &Imported, one: &Undrawn) -> Diagnosis {
     }
 }
 
-/// Two edges that cross, touch or overlap.
 pub(super) fn clashing(imported: &Imported, drawing: &Drawing, clash: &Clash, coverage: &Coverage) -> Diagnosis {
     let (kind, arcs, message) = match *clash {
         Clash::Cross { arcs } => ("cross", arcs.to_vec(), "two edges cross on the globe"),
@@ -75,7 +73,6 @@ fn of_rule(rule: Rule, kind: &'static str) -> Diagnosis {
     Diagnosis { rule: Some(rule.id()), kind: Kind::Named { kind }, is_violation: true, ..Diagnosis::default() }
 }
 
-/// An edge by its ends.
 fn edge([a, b]: [Point; 2]) -> String {
     format!("edge ({}, {}) to ({}, {})", a.x, a.y, b.x, b.y)
 }

@@ -1,4 +1,4 @@
-//! Findings of a coverage on the sphere, in the form of all reports.
+//! Findings of a coverage on the sphere, in the common form of reports.
 
 use super::lines::lines;
 use crate::coverage::{Coverage, CoverageOptions, lacks, of_rule};
@@ -10,11 +10,10 @@ use twinedge_coverage::CoverageRule;
 use twinedge_formats::diagnosis::{Diagnosis, Measures, MissingVertex, Position, Trace};
 use twinedge_sphere::Finding;
 
-/// The findings of a coverage on the sphere.
 pub(crate) struct Judged(pub(crate) twinedge_sphere::Coverage);
 
 impl Coverage {
-    /// The findings of a map whose edges are great circles, or why there are none. C6 is about straight edges, and not asked.
+    /// Returns the findings of a map whose edges are great circles, or the reason why there are none. C6 is about straight edges and is not checked.
     pub(crate) fn on_sphere(
         imported: &Imported,
         asked: &CoverageOptions,
@@ -42,7 +41,7 @@ impl Coverage {
 fn diagnosis(imported: &Imported, asked: &CoverageOptions, one: &Finding) -> Diagnosis {
     let features = all_named(imported, one.features.iter().copied());
     let is_mismatch = one.rule == CoverageRule::Mismatch;
-    // These have stretches of borders, or arcs, and are no places.
+    // These findings are stretches of borders or arcs.
     let is_line = matches!(one.rule, CoverageRule::Mismatch | CoverageRule::NearMiss);
     let measures = Measures {
         area: Some(one.area).filter(|_| !is_mismatch),
@@ -64,7 +63,7 @@ fn diagnosis(imported: &Imported, asked: &CoverageOptions, one: &Finding) -> Dia
     }
 }
 
-/// A polygon, if the border is one ring that turns counter-clockwise on the map and does not run around the globe; or else lines.
+/// Returns a polygon if the border is one ring that turns counter-clockwise on the map and does not run around the globe; otherwise lines.
 fn trace(lines: &[Vec<Position>], is_line: bool) -> Trace {
     match lines {
         [ring] if !is_line && is_ring(ring) => Trace { polygons: vec![vec![ring.clone()]], ..Trace::default() },

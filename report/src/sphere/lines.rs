@@ -5,10 +5,11 @@ use twinedge_formats::diagnosis::Position;
 use twinedge_geometry::Point;
 use twinedge_sphere::Place;
 
-/// The greatest length of a straight line on the map that stands for a part of an arc, in degrees.
+/// The greatest length, in degrees, of a straight line that represents a part of an arc.
 const STEP: f64 = 0.5;
 
-/// Arcs as lines on the map: those that follow each other are one, unless it crosses the antimeridian. Points between the ends show how an arc bulges.
+/// Returns arcs as lines on the map. Consecutive arcs form one line, unless they cross the antimeridian. Intermediate points show the curvature of an
+/// arc.
 pub(super) fn lines(arcs: &[[Point; 2]]) -> Vec<Vec<Position>> {
     let mut lines: Vec<Vec<Position>> = Vec::new();
     for ends in arcs {
@@ -23,7 +24,7 @@ pub(super) fn lines(arcs: &[[Point; 2]]) -> Vec<Vec<Position>> {
         }
         lines.push(line);
     }
-    // A line of a single point, beyond the antimeridian, shows nothing.
+    // A line of a single point beyond the antimeridian shows nothing.
     lines.retain(|line| line.len() > 1);
     lines
 }
@@ -37,7 +38,7 @@ fn between([a, b]: [Point; 2]) -> Vec<Position> {
         vector.map(|x| x / length)
     });
     let chord = (0..3).map(|i| (q[i] - p[i]).powi(2)).sum::<f64>().sqrt();
-    // The angle is at most so many times the chord.
+    // The angle is at most π/2 times the chord.
     let parts = (chord * std::f64::consts::FRAC_PI_2).to_degrees() / STEP;
     let parts = (1..=360).take_while(|part| f64::from(*part) < parts).count() + 1;
     let at = |part: usize| {

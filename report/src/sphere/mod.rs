@@ -19,7 +19,7 @@ use twinedge_sphere::{Clash, Cover, Drawing, Inside, RADIUS, Subdivision, check,
 
 use finding::Judged;
 
-/// Validates the map that great circles draw, and judges it as a coverage. The features are those of the map as they were read.
+/// Validates the map drawn by great circles, and judges it as a coverage. The features stay as read.
 pub(crate) fn audit(
     imported: &Imported,
     asked: &Options,
@@ -73,7 +73,7 @@ pub(crate) fn audit(
     })
 }
 
-/// The findings of the coverage, or the reason why there are none.
+/// Returns the findings of the coverage, or the reason why there are none.
 fn judged(
     drawing: &Drawing,
     clashes: &[Clash],
@@ -94,7 +94,7 @@ fn judged(
     Ok(Judged(found))
 }
 
-/// The rules of the structure, and those of the arcs. G3 is about an outside, which a sphere does not have.
+/// Returns the rules of the structure and of the arcs. G3 needs an outside, which a sphere does not have.
 fn rules(drawing: &Drawing, clashes: &[Clash], map: Option<(&Subdivision, &Report)>) -> Vec<RuleLine> {
     let line = |rule: Rule, checked: usize, violations: usize| RuleLine {
         id: rule.id(),
@@ -136,7 +136,6 @@ fn notes(imported: &Imported, drawing: &Drawing, warnings: Vec<String>) -> Vec<N
     notes.chain(warnings.into_iter().map(Note::Warning)).chain(imported.noted.hint().map(Note::Plain)).collect()
 }
 
-/// The numbers of records in words. No face is unbounded.
 fn numbers(of: &Counts) -> Vec<(&'static str, String)> {
     let named = |(name, count)| (if name == FACES { "faces (F)" } else { name }, count);
     let is_of_sphere = |(name, _): &(&'static str, String)| !name.ends_with("boundary components");

@@ -13,7 +13,7 @@ fn judged(features: &[Feature], inside: Inside, limits: &Limits) -> (Vec<Clash>,
     (clashes, check(&Cover::new(&map, &drawing, inside), limits))
 }
 
-/// The rules that are broken, and by which features.
+/// Returns the broken rules, with the features involved.
 fn broken(found: &Coverage) -> Vec<(CoverageRule, Vec<u32>)> {
     found.findings.iter().map(|finding| (finding.rule, finding.features.clone())).collect()
 }
@@ -22,8 +22,8 @@ fn boxed([west, south, east, north]: [f64; 4]) -> Feature {
     feature(Shape::polygon([[west, south], [east, south], [east, north], [west, north]]))
 }
 
-/// The border of Kansas and Colorado has one vertex more on Colorado's side, on the meridian of 102.05 degrees west: the middle of both ends is none in doubles, but its place lies
-/// exactly on the arc.
+/// The border of Kansas and Colorado has one more vertex on Colorado's side, on the meridian of 102.05 degrees west. In doubles it is not the
+/// midpoint of the ends, but its place lies exactly on the arc.
 #[test]
 fn a_vertex_on_a_neighbours_meridian_is_neither_gap_nor_overlap() {
     let colorado =
@@ -36,7 +36,7 @@ fn a_vertex_on_a_neighbours_meridian_is_neither_gap_nor_overlap() {
     assert!(!clashes.is_empty());
 }
 
-/// A vertex that a neighbour lacks is a mismatch, and one that both have is none; where features overlap, it is that.
+/// A vertex that a neighbour lacks is a mismatch; a vertex of both is not. Where features overlap, the finding is an overlap.
 #[test]
 fn a_vertex_that_a_neighbour_lacks_is_a_mismatch() {
     let missing = |features: &[Feature]| {
@@ -54,15 +54,15 @@ fn a_vertex_that_a_neighbour_lacks_is_a_mismatch() {
     let mut with_line = west.clone();
     with_line.shapes.push(Shape::line([[7.0, 45.0], [7.3, 45.0]]));
     assert_eq!(missing(&[with_line, east]), [(1, 50.0)]);
-    // It ends at a vertex that both have, besides.
+    // It also ends at a vertex of both.
     let below = boxed([7.3, 40.0, 12.0, 45.0]);
     assert_eq!(missing(&[west.clone(), below]), [(0, 45.0)]);
-    // The eastern one begins inside the western one, and ends on its border.
+    // The eastern feature begins inside the western one, and ends on its border.
     let inside = feature(Shape::polygon([[0.0, 42.0], [7.3, 43.0], [7.3, 44.0]]));
     assert_eq!(missing(&[west, inside]), []);
 }
 
-/// The same border a unit of the last digit to the west is another one.
+/// Moving the border west by a unit in the last place makes it a different border.
 #[test]
 fn a_border_beside_a_neighbours_by_a_nanometre_is_a_gap_or_an_overlap() {
     let west = boxed([-109.05, 37.0, (-102.05_f64).next_down(), 41.0]);
@@ -74,8 +74,8 @@ fn a_border_beside_a_neighbours_by_a_nanometre_is_a_gap_or_an_overlap() {
     assert!(broken(&found).iter().any(|(rule, _)| *rule == CoverageRule::Gap), "{found:?}");
 }
 
-/// The parallel of 49 degrees, drawn by its ends from one side and by more vertices from the other: the arc between the ends bulges to the north by 1.06 degrees at
-/// most over 28 degrees (see `predicates`), 94 km, and over the whole width by two thirds of that.
+/// The parallel of 49 degrees, drawn by its ends from one side and by more vertices from the other: over 28 degrees, the arc between the ends bulges
+/// to the north by at most 1.06 degrees (see `predicates`), 94 km, and on average by two thirds of that.
 #[test]
 fn a_parallel_drawn_by_its_ends_overlaps_what_lies_to_the_north() {
     let along: Vec<[f64; 2]> = (0..=28).map(|i| [-123.0 + f64::from(i), 49.0]).collect();
@@ -88,14 +88,15 @@ fn a_parallel_drawn_by_its_ends_overlaps_what_lies_to_the_north() {
     let overlap = &found.findings[0];
     // 2,041 km along the parallel, by 63 km.
     assert!((1.1e11..1.5e11).contains(&overlap.area), "{overlap:?}");
-    // A town to the north of the parallel and to the south of the arc is claimed twice.
+    // Two features claim a town between the parallel and the arc.
     assert!((49.0..50.1).contains(&overlap.at.y) && (-123.0..-95.0).contains(&overlap.at.x));
-    // To the south of the equator it is the gap that bulges.
+    // South of the equator, the bulge is a gap.
     let (_, found) = judged(&mirrored(&[north, south], 1.0, -1.0), Inside::Smaller, &limits);
     assert_eq!(broken(&found), [(CoverageRule::Overlap, vec![0, 1])]);
 }
 
-/// Straight on the map, these borders do not meet. On the globe the long ones, along the parallels of 40 and 50 degrees, bulge to 59.2 and 67.2 degrees.
+/// These borders do not meet if they are straight on the map. On the globe the long ones, along the parallels of 40 and 50 degrees, bulge to 59.2 and
+/// 67.2 degrees.
 #[test]
 fn borders_that_cross_on_the_globe_only_are_found() {
     let long = boxed([-60.0, 40.0, 60.0, 50.0]);
@@ -105,7 +106,7 @@ fn borders_that_cross_on_the_globe_only_are_found() {
     assert_eq!(broken(&found)[0], (CoverageRule::Overlap, vec![0, 1]));
 }
 
-/// The reverse: a ring that crosses itself on the map, where a point lies above the straight line, and not on the globe, where it lies below the arc.
+/// The reverse: a ring that crosses itself on the map but not on the globe, because a point lies above the straight line and below the arc.
 #[test]
 fn a_ring_that_crosses_itself_on_the_map_only_is_accepted() {
     let spike =
@@ -131,7 +132,7 @@ fn each_rule_is_broken_alone() {
     };
     let hole = [179.5, -17.0, 180.5, -16.0];
     let all: Vec<Feature> = (0..4).map(|id| around(hole, id)).chain([boxed(hole)]).collect();
-    // Corners of some boxes lie inside parallels of others, which bulge: so each corner is a vertex of all.
+    // Corners of some boxes lie inside the bulging parallels of others, so each corner becomes a vertex of all.
     let all = with_all_vertices(&all);
     let limits = Limits::default();
     let of = |features: &[Feature], limits: &Limits| {
@@ -143,14 +144,14 @@ fn each_rule_is_broken_alone() {
     assert_eq!(of(&all[..4], &limits), [(CoverageRule::Gap, vec![0, 1, 2, 3])]);
     let twice: Vec<Feature> = all.iter().chain(&all[4..]).cloned().collect();
     assert_eq!(of(&twice, &limits), [(CoverageRule::Duplicate, vec![4, 5])]);
-    // Gaps that are wide or accepted are counted.
+    // Wide and accepted gaps are counted.
     let wide = Limits { gap_width: Some(10_000.0), ..Limits::default() };
     let accepted = Limits { accepted_gaps: vec![Point::new(-179.9, -16.2)], ..Limits::default() };
     for (limits, counts) in [(wide, (1, 0)), (accepted, (0, 1))] {
         let (_, found) = judged(&all[..4], Inside::Smaller, &limits);
         assert_eq!((broken(&found), (found.wider_gaps, found.accepted_gaps)), (vec![], counts));
     }
-    // Borders 100 m apart, along 111 km, at the end of the world.
+    // Borders 100 m apart, along 111 km, at the antimeridian.
     let west = boxed([179.0, 30.0, 180.0, 31.0]);
     let east = feature(Shape::polygon([[-179.999, 30.0], [-179.0, 30.0], [-179.0, 31.0], [-179.999, 31.0]]));
     let (_, found) = judged(&[west.clone(), east.clone()], Inside::Smaller, &limits);
@@ -166,13 +167,13 @@ fn each_rule_is_broken_alone() {
     let mut island = all.clone();
     island[4].shapes.push(Shape::polygon([[170.0, 0.0], [170.1, 0.0], [170.1, 0.0001], [170.0, 0.0001]]));
     assert_eq!(of(&island, &limits), [(CoverageRule::Sliver, vec![4])]);
-    // One that is 10 m long, too, is no sliver.
+    // A part that is also only 10 m long is not a sliver.
     let mut small = all;
     small[4].shapes.push(Shape::polygon([[170.0, 0.0], [170.0001, 0.0], [170.0001, 0.0001], [170.0, 0.0001]]));
     assert_eq!(of(&small, &limits), []);
 }
 
-/// The same boxes, with each corner of one that lies on a side of another as a vertex there.
+/// Adds each corner that lies on a side of another box as a vertex there.
 fn with_all_vertices(features: &[Feature]) -> Vec<Feature> {
     let rings = |feature: &Feature| match &feature.shapes[0] {
         Shape::Polygon(rings) => rings[0].clone(),
@@ -201,7 +202,7 @@ fn with_all_vertices(features: &[Feature]) -> Vec<Feature> {
     features.iter().map(of).collect()
 }
 
-/// A sea around the world is larger than half of it: which side is meant, only the way its ring turns can say.
+/// A sea around the world is larger than half of it: only the orientation of its ring tells its side.
 #[test]
 fn a_feature_larger_than_half_of_the_sphere_is_told_by_its_ring() {
     let ring: Vec<[f64; 2]> = [0.0, 90.0, 180.0, -90.0].map(|x| [x, 60.0]).into();
@@ -222,7 +223,7 @@ fn a_feature_larger_than_half_of_the_sphere_is_told_by_its_ring() {
     }
 }
 
-/// A map that is cut along a meridian into parts covers the same area, and its parts neither overlap nor leave gaps.
+/// Cutting a map into parts along a meridian keeps its area, and the parts neither overlap nor leave gaps.
 #[test]
 fn parts_along_a_meridian_add_up() {
     let mut numbers = Numbers(7);

@@ -1,4 +1,4 @@
-//! Maps of the world, as their files have them.
+//! Maps of the world, with the coordinates of their files.
 
 use crate::support::mirrored;
 use std::fs::File;
@@ -21,7 +21,7 @@ fn world(name: &str) -> Vec<Feature> {
     features
 }
 
-/// Vertices, edges, components and faces; what clashes; and what breaks the rules of a coverage.
+/// Returns the numbers of vertices, edges, components and faces, the clashes, and the findings.
 fn judged(features: &[Feature]) -> ([usize; 4], Vec<Clash>, Coverage) {
     let drawing = Drawing::new(features).expect("places");
     assert_eq!(drawing.undrawn(), []);
@@ -41,21 +41,22 @@ fn count(found: &Coverage, rule: CoverageRule) -> usize {
     found.findings.iter().filter(|finding| finding.rule == rule).count()
 }
 
-/// As a map of the plane it has 7,493 vertices and 7,655 edges, of which the two ends of Antarctica's seam along the antimeridian are two each here. The Caspian Sea
-/// is the only lake, and has 371,000 to 393,000 km² (Encyclopædia Britannica: 386,400).
+/// In the plane, the map has 7,493 vertices and 7,655 edges. On the sphere, each of the two ends of Antarctica's seam along the antimeridian is one
+/// place instead of two. The Caspian Sea is the only lake, and has 371,000 to 393,000 km² (Encyclopædia Britannica: 386,400).
 #[test]
 fn countries_lie_side_by_side_on_the_globe() {
     let features = world("cli/data/world-110m.geojson");
     let (counts, clashes, found) = judged(&features);
     assert_eq!((counts, &clashes[..]), ([7_491, 7_653, 125, 288], &[][..]));
-    // Sudan and South Sudan overlap in two places, in the plane as well.
+    // Sudan and South Sudan overlap in two places, as in the plane.
     assert_eq!(CoverageRule::ALL.map(|rule| count(&found, rule)), [2, 1, 0, 2, 0, 0, 0]);
     let gap = found.findings.iter().find(|finding| finding.rule == CoverageRule::Gap).expect("there is one");
     assert!((3.71e11..3.93e11).contains(&gap.area), "{}", gap.area);
     assert_eq!(gap.features.len(), 5);
 }
 
-/// Antarctica goes round the pole, and Russia and Fiji across the antimeridian. Areas in km² are those of the United Nations' Demographic Yearbook 2012, which are not those of so coarse borders.
+/// Antarctica surrounds the pole, and Russia and Fiji cross the antimeridian. Expected areas in km² come from the United Nations' Demographic
+/// Yearbook 2012; such coarse borders differ from them.
 #[test]
 fn countries_at_the_pole_and_across_the_antimeridian_are_ordinary() {
     let features = world("cli/data/world-110m.geojson");
@@ -77,7 +78,8 @@ fn countries_at_the_pole_and_across_the_antimeridian_are_ordinary() {
     assert_eq!(cover.features_at(Place::NORTH), [0_u32; 0]);
 }
 
-/// Two pairs of edges cross, on the map as on the globe. The other map has a vertex where they cross on the map, which lies beside both arcs.
+/// Two pairs of edges cross, on the map as on the globe. The other map has a vertex at the crossing on the map, which on the globe lies on neither
+/// arc.
 #[test]
 fn edges_that_cross_are_found_and_cut() {
     let (counts, clashes, found) = judged(&world("tests/data/world-110m-crossing.geojson"));
@@ -86,7 +88,7 @@ fn edges_that_cross_are_found_and_cut() {
     assert_eq!(count(&found, CoverageRule::Overlap), 2);
 }
 
-/// A mirror changes no place but by a sign, exactly. What is found to the north of a component then lies to its south.
+/// A mirror only changes signs, exactly. Arcs to the north of a component then lie to its south.
 #[test]
 fn mirrored_globes_have_the_same_faults() {
     let features = world("tests/data/world-110m-crossing.geojson");

@@ -1,4 +1,4 @@
-//! Places: the same one for the same place, and how far it is from the true one.
+//! Places: equal vectors for the same place, and the distance from the true place.
 
 use crate::support::{Numbers, at};
 use twinedge_geometry::predicates::Orientation;
@@ -54,7 +54,7 @@ fn meridians_and_the_equator_are_great_circles() {
     }
 }
 
-/// The vectors of places, up to the rounding of a double, and the distance of the angle in between.
+/// The vectors of places, up to the rounding of a double, and the angle between computed and true vector as a distance.
 ///
 /// Computed by mpmath 1.3 with 50 digits: `[tan λ, tan φ / cos λ]` of the doubles nearest to the longitude and the latitude in degrees.
 #[test]

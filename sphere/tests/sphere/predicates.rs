@@ -1,4 +1,4 @@
-//! Predicates, beside a model in integers and beside f64 where that is clear.
+//! Predicates, compared with a model in integers, and with f64 where f64 is reliable.
 
 use crate::support::{Numbers, at};
 use std::cmp::Ordering;
@@ -8,7 +8,7 @@ use twinedge_sphere::predicates::{compare_around, meeting, on_arc, side};
 
 type Vector = [i64; 3];
 
-/// All vectors of coordinates 0, ±1, ±2 and ±4, as far as none is a multiple of another, in any order. All have exact places.
+/// All vectors with coordinates 0, ±1, ±2 and ±4 such that none is a multiple of another, in any order. All have exact places.
 fn vectors() -> Vec<Vector> {
     let coordinates = [-4, -2, -1, 0, 1, 2, 4];
     let mut all = Vec::new();
@@ -40,13 +40,13 @@ fn same(a: Vector, b: Vector) -> bool {
     cross(a, b) == [0; 3] && dot(a, b) > 0
 }
 
-/// A place on the closed arc, by angles in its plane.
+/// Returns true if a place lies on the closed arc, by angles in its plane.
 fn contains([a, b]: [Vector; 2], p: Vector) -> bool {
     let normal = cross(a, b);
     dot(p, normal) == 0 && dot(cross(a, p), normal) >= 0 && dot(cross(p, b), normal) >= 0 && !same(p, a.map(|c| -c))
 }
 
-/// The meeting of two arcs, by the place where their planes meet.
+/// Classifies the meeting of two arcs by the intersection of their planes.
 fn model(first: [Vector; 2], second: [Vector; 2]) -> Meeting {
     let along = cross(cross(first[0], first[1]), cross(second[0], second[1]));
     let is_end = |arc: [Vector; 2], p: Vector| arc.into_iter().any(|end| same(end, p));
@@ -73,7 +73,7 @@ fn model(first: [Vector; 2], second: [Vector; 2]) -> Meeting {
     }
 }
 
-/// Arcs that often have ends or circles in common.
+/// Random arcs that often share ends or circles.
 fn arcs(numbers: &mut Numbers, vectors: &[Vector]) -> [[Vector; 2]; 2] {
     loop {
         let mut any = || vectors[numbers.below(vectors.len())];
@@ -170,13 +170,13 @@ fn a_parallel_that_is_drawn_by_its_ends_bulges_to_the_north() {
     }
 }
 
-/// Within the last digit of a double, f64 alone would not tell these apart.
+/// The difference is in the last digit of a double, which f64 arithmetic would miss.
 #[test]
 fn a_place_beside_an_arc_by_a_nanometre_is_beside_it() {
     let (a, b) = (at(10.0, 20.0), at(11.0, 20.0));
     let [x, y, z] = at(10.5, 20.000_1).vector();
     let up = |steps: u64| Place::toward([x, y, f64::from_bits(z.to_bits() + steps)]).expect("it is one");
-    // Around the circle there are at most two vectors next to each other, one on either side.
+    // Vectors in steps of one unit change from one side of the circle to the other exactly once.
     let sides: Vec<Orientation> = {
         let (mut low, mut high) = (0_u64, 1 << 40);
         let base = f64::from_bits(z.to_bits()) - 1e-5;

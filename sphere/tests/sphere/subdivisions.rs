@@ -8,7 +8,7 @@ use twinedge_map::{Feature, Shape};
 use twinedge_sphere::predicates::{meeting, side};
 use twinedge_sphere::{Clash, Cover, Drawing, Inside, Place, Subdivision, SubdivisionError, Unresolved};
 
-/// The structure, which every rule is asked of.
+/// Builds the structure, and checks every rule on it.
 fn valid(drawing: &Drawing) -> (Vec<Clash>, Subdivision) {
     let (clashes, map) = Subdivision::new(drawing);
     let map = map.expect("it can be cut");
@@ -46,7 +46,7 @@ fn components_lie_in_the_faces_around_them() {
         let [x, y] = at;
         Shape::polygon([[x - size, y - size], [x + size, y - size], [x + size, y + size], [x - size, y + size]])
     };
-    // Around the antimeridian, within each other, and around both poles.
+    // Rings around the antimeridian, within each other, and around both poles.
     let rings: Vec<Feature> = [10.0, 5.0, 2.0, 1.0].map(|size| feature(ring([180.0, 20.0], size))).into();
     let cap = |latitude: f64| feature(Shape::polygon([0.0, 90.0, 180.0, -90.0].map(|x| [x, latitude])));
     let all: Vec<Feature> = rings.into_iter().chain([cap(80.0), cap(85.0), cap(-80.0), cap(-85.0)]).collect();
@@ -63,7 +63,7 @@ fn components_lie_in_the_faces_around_them() {
 
 #[test]
 fn an_arc_over_the_pole_is_cut_there() {
-    // Its ends lie on opposite meridians: the shortest way leads over the pole.
+    // Its ends lie on opposite meridians: the shortest path leads over the pole.
     let lune = Shape::polygon([[0.0, 80.0], [60.0, 70.0], [180.0, 70.0]]);
     let drawing = Drawing::new(&[feature(lune)]).expect("places");
     let (clashes, map) = valid(&drawing);
@@ -72,7 +72,7 @@ fn an_arc_over_the_pole_is_cut_there() {
     assert_eq!((cover.features_at(at(90.0, 85.0)), cover.features_at(at(-90.0, 85.0))), (&[0][..], &[][..]));
 }
 
-/// Borders that coincide but for some of the last digits cross in places that are rounded, and their parts again: cutting ends all the same, in a map or in an error.
+/// Borders that coincide up to some last digits cross in rounded places, and so do their parts: cutting still terminates, with a map or an error.
 #[test]
 fn cutting_borders_that_differ_by_roundings_ends() {
     let mut numbers = Numbers(8);
@@ -93,7 +93,7 @@ fn cutting_borders_that_differ_by_roundings_ends() {
     }
 }
 
-/// Lines that end anywhere, alone or at a border, take nothing from the faces around them.
+/// Lines with free ends, alone or at a border, do not change the areas of faces.
 #[test]
 fn lines_change_no_area() {
     let field = feature(Shape::polygon([[10.0, 40.0], [20.0, 40.0], [20.0, 50.0], [10.0, 50.0]]));
@@ -118,7 +118,7 @@ fn lines_change_no_area() {
     }
 }
 
-/// Polygons of some places at random, of which many coincide.
+/// Random polygons between a few places, many of which coincide.
 fn polygons(numbers: &mut Numbers) -> Vec<Feature> {
     let coordinates = |numbers: &mut Numbers| {
         let longitudes = [-180.0, -120.0, -90.0, -45.0, 0.0, 30.0, 90.0, 100.0, 180.0];
@@ -132,7 +132,7 @@ fn polygons(numbers: &mut Numbers) -> Vec<Feature> {
     (0..=numbers.below(4)).map(|_| polygon(numbers)).collect()
 }
 
-/// True if an arc crosses the arcs of a feature an odd number of times; unknown, if it meets a vertex.
+/// Returns true if an arc crosses the arcs of a feature an odd number of times; `None` if it meets a vertex.
 fn parity(drawing: &Drawing, feature: &Feature, from: Place, to: Place) -> Option<bool> {
     let Shape::Polygon(rings) = &feature.shapes[0] else { return None };
     let mut is_odd = false;
@@ -153,8 +153,8 @@ fn parity(drawing: &Drawing, feature: &Feature, from: Place, to: Place) -> Optio
     Some(is_odd)
 }
 
-/// The law of even and odd: two places are on the same side of a feature if a way between them crosses its border an even number of times.
-/// It knows no half-edge, no component and no area.
+/// The even-odd rule: two places are on the same side of a feature if a path between them crosses its border an even number of times. This uses no
+/// half-edges, components or areas.
 #[test]
 fn features_cover_what_even_and_odd_crossings_say() {
     let (mut numbers, mut asked, mut crossed, mut several) = (Numbers(6), 0, 0, 0);
@@ -179,7 +179,7 @@ fn features_cover_what_even_and_odd_crossings_say() {
                 asked += 1;
             }
         }
-        // No polygon is larger than half the sphere, and a triangle is where all its sides say.
+        // No polygon is larger than half the sphere, and a triangle lies on the inner side of its three arcs.
         for (number, feature) in (0..).zip(&features) {
             let half = 2.0 * std::f64::consts::PI * twinedge_sphere::RADIUS.powi(2);
             assert!(cover.area_of(number) <= half * (1.0 + 1e-12), "{} {feature:?}", cover.area_of(number) / half);

@@ -4,17 +4,15 @@ use twinedge_geometry::Point;
 use twinedge_map::{Feature, Shape};
 use twinedge_sphere::Place;
 
-/// A feature of one shape.
 pub(crate) fn feature(shape: Shape) -> Feature {
     Feature { shapes: vec![shape], ..Feature::default() }
 }
 
-/// The place at a longitude and latitude.
 pub(crate) fn at(longitude: f64, latitude: f64) -> Place {
     Place::new(longitude, latitude).expect("it is one")
 }
 
-/// The same features with longitudes and latitudes times 1 or -1.
+/// Multiplies the longitudes and latitudes of features by 1 or -1.
 pub(crate) fn mirrored(features: &[Feature], x: f64, y: f64) -> Vec<Feature> {
     let ring = |ring: &Vec<Point>| ring.iter().map(|p| Point::new(p.x * x, p.y * y)).collect();
     let shape = |shape: &Shape| match shape {
@@ -26,17 +24,15 @@ pub(crate) fn mirrored(features: &[Feature], x: f64, y: f64) -> Vec<Feature> {
     features.iter().map(of).collect()
 }
 
-/// Numbers that look random, the same each time (a linear congruential generator, with the constants of Knuth's MMIX).
+/// Reproducible pseudorandom numbers (a linear congruential generator, with the constants of Knuth's MMIX).
 pub(crate) struct Numbers(pub(crate) u64);
 
 impl Numbers {
-    /// The next number below a bound.
     pub(crate) fn below(&mut self, bound: usize) -> usize {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 33) as usize % bound
     }
 
-    /// The next number from 0 to 1.
     pub(crate) fn fraction(&mut self) -> f64 {
         self.below(1 << 30) as f64 / f64::from(1 << 30)
     }

@@ -1,7 +1,7 @@
-//! A certificate for SQL: its records as tables, and `check.sql`, which has each test as a view of the records that fail it.
+//! A certificate for SQL: tables of its records, and `check.sql`, in which each test is a view of the records that fail it.
 //!
-//! The tables are in Parquet, which keeps columns apart and says which are never NULL; in CSV for `PostgreSQL`, which does not read
-//! Parquet.
+//! The tables are in Parquet, which stores columns separately and declares columns that are never NULL, or in CSV for `PostgreSQL`, which does not
+//! read Parquet.
 
 mod csv_file;
 mod tables;
@@ -22,23 +22,21 @@ pub(super) enum Engine {
     Spark,
 }
 
-/// The version of the tables and their columns, as `docs/certificate.md` lists them.
+/// The version of the tables and their columns, which `docs/certificate.md` lists.
 const SCHEMA_VERSION: &str = "1";
 
-/// The views that have the records that fail: of all claims, and of each.
+/// The views of failing records: for all claims, and for each claim.
 const LINKS: &str = include_str!("links.sql");
 const PLANE: &str = include_str!("plane.sql");
 const DRAWING: &str = include_str!("drawing.sql");
 const SURFACE: &str = include_str!("surface.sql");
 const FILE: &str = "check.sql";
 
-/// The names of all files that may be written.
 pub(super) fn file_names() -> impl Iterator<Item = String> {
     let of_tables = NAMES.into_iter().flat_map(|name| [format!("{name}.parquet"), format!("{name}.csv")]);
     of_tables.chain([FILE.to_owned()])
 }
 
-/// Writes the tables and `check.sql`.
 pub(super) fn write(folder: &Path, claim: &Claim, notes: &Notes, engine: Engine) -> Result<(), Failure> {
     let mut sql = format!(
         "-- Run in this folder. The last statement prints the verdict: each test, and how many records fail it.\n{}",
@@ -84,8 +82,8 @@ const fn hint(engine: Engine) -> &'static str {
     }
 }
 
-/// The statements that make a table, or a view of its file, of integers of 64 bits. All rows are read: the statistics of a Parquet file,
-/// by which engines skip some, may be false.
+/// The statements that create a table of 64-bit integers, or a view of its file. All rows must be read: engines skip rows by the statistics of a
+/// Parquet file, which may be false.
 fn header(engine: Engine, table: &Table<'_>) -> String {
     let name = table.name;
     let columns = |form: &dyn Fn(&str) -> String| {
@@ -113,8 +111,8 @@ fn header(engine: Engine, table: &Table<'_>) -> String {
     }
 }
 
-/// The view of the tables with a column of another type than integers. Numbers of other types would be rounded before they are
-/// judged. `PostgreSQL` reads nothing but integers into its tables.
+/// The view of tables with columns of other types than integers, whose numbers would be rounded before the tests. `PostgreSQL` only reads integers
+/// into its tables.
 fn integers(tables: &[Table<'_>]) -> String {
     let of_table = |Table { name, columns }: &Table<'_>| {
         let is_integer = |column: &IntegerColumn<'_>| format!("lower(typeof({})) LIKE '%int%'", column.name);
@@ -129,7 +127,7 @@ fn integers(tables: &[Table<'_>]) -> String {
     )
 }
 
-/// The view `verdict`: a row for each view of records that fail.
+/// The view `verdict`, with a row for each view of failing records.
 fn verdict(sql: &str) -> String {
     let views = sql.lines().filter_map(|line| line.strip_prefix("CREATE TEMPORARY VIEW ")?.split(' ').next());
     let tests = views.filter(|view| view.ends_with("_ok") || view.ends_with("readable") || *view == "one_unbounded");
@@ -138,6 +136,6 @@ fn verdict(sql: &str) -> String {
         let also = if i == 0 { "" } else { "UNION ALL " };
         let _ = writeln!(verdict, "{also}SELECT '{test}' AS test, count(*) AS violations FROM {test}");
     }
-    // Tests that fail come first: some engines print no more than the beginning.
+    // Failing tests come first: some engines print only the beginning.
     verdict + ";\n\nSELECT * FROM verdict ORDER BY violations DESC, test;\n"
 }

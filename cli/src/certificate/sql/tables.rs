@@ -5,13 +5,12 @@ use twinedge::validate::View;
 use twinedge_certificate::{Certificate, Column, Drawing, Labels, VACANT};
 use twinedge_formats::layer::IntegerColumn;
 
-/// A table: its name, and its columns, all of the same length.
 pub(super) struct Table<'a> {
     pub(super) name: &'static str,
     pub(super) columns: Vec<IntegerColumn<'a>>,
 }
 
-/// A column of the certificate under its name in a table.
+/// A column of the certificate, with its name in a table.
 struct Source {
     name: &'static str,
     column: Column,
@@ -22,12 +21,12 @@ const fn numbers(name: &'static str, column: Column) -> Source {
     Source { name, column, is_nullable: false }
 }
 
-/// A column that may have nil in a certificate that is right.
+/// A column that may contain nil in a valid certificate.
 const fn links(name: &'static str, column: Column) -> Source {
     Source { name, column, is_nullable: true }
 }
 
-/// A table with a row for each live record of a kind. Where the first column says so, a slot is vacant.
+/// A table with a row for each live record of a kind. The first column tells vacant slots.
 struct RecordTable {
     name: &'static str,
     key: &'static str,
@@ -36,7 +35,6 @@ struct RecordTable {
     dart: Option<Column>,
 }
 
-/// The names of all tables.
 pub(super) const NAMES: [&str; 7] = ["half_edges", "vertices", "boundaries", "faces", "entries", "sides", "points"];
 
 const OF_SUBDIVISION: [RecordTable; 4] = [
@@ -119,7 +117,6 @@ const SIDES: [Source; 6] = [
     numbers("dart_rank", Column::DartRank),
 ];
 
-/// The tables of a certificate.
 pub(super) fn tables(claim: &Claim) -> Vec<Table<'_>> {
     let folder = match claim {
         Claim::Surface(surface) => {
@@ -145,7 +142,7 @@ fn of_records<'a>(table: &'static RecordTable, labels: &'a Labels, drawing: Opti
     Table { name: table.name, columns }
 }
 
-/// The entries of the lists of faces.
+/// The entries in the lists of faces.
 fn entries(certificate: &Certificate) -> Table<'_> {
     let faces = || (0..certificate.face_slots()).filter(|f| certificate.is_face(*f));
     let entries = || faces().flat_map(|f| (0..certificate.inner_count(f)).map(move |i| (f, i)));

@@ -1,4 +1,5 @@
-//! A second opinion on a list of faces: slow and obvious, written from the statements of the kinds, in sets.
+//! A second opinion on a list of faces: a slow and obvious implementation by sets, written from the definitions of the
+//! kinds.
 
 use std::collections::{BTreeMap, BTreeSet};
 use twinedge_formats::mesh::{Finding, IndexedMesh};
@@ -7,9 +8,9 @@ type Set = BTreeSet<usize>;
 
 pub(crate) struct Opinion {
     pub(crate) findings: Vec<Finding>,
-    /// The faces that are not left out.
+    /// The faces that are kept.
     pub(crate) kept: Vec<(usize, Vec<usize>)>,
-    /// For each edge, its faces, each with whether it runs from the smaller vertex to the larger.
+    /// The faces of each edge, and whether each runs from the smaller vertex to the larger.
     pub(crate) edges: BTreeMap<(usize, usize), Vec<(usize, bool)>>,
 }
 
@@ -21,7 +22,7 @@ fn is_rotation_of(a: &[usize], b: &[usize]) -> bool {
     a.len() == b.len() && (0..a.len()).any(|shift| (0..a.len()).all(|i| a[i] == b[(i + shift) % b.len()]))
 }
 
-/// Merges sets that have a member in common until none have.
+/// Merges sets with common members until all are disjoint.
 pub(crate) fn merged(mut sets: Vec<Set>) -> Vec<Set> {
     let mut done: Vec<Set> = Vec::new();
     while let Some(mut set) = sets.pop() {
@@ -131,7 +132,7 @@ impl Opinion {
         merged(border.map(|((a, b), _)| Set::from([*a, *b])).collect()).len()
     }
 
-    /// Tries all ways to turn faces.
+    /// Tries all ways to reverse faces.
     pub(crate) fn orientable(&self) -> bool {
         let rank: BTreeMap<usize, usize> = self.kept.iter().enumerate().map(|(i, (f, _))| (*f, i)).collect();
         let pairs: Vec<_> = self.edges.values().filter(|sides| sides.len() == 2).collect();

@@ -1,8 +1,8 @@
-//! Meshes whose counts are known.
+//! Meshes with known counts.
 
 use twinedge_formats::mesh::IndexedMesh;
 
-/// Points in general position, exact as `f32`: no two are equal.
+/// Points in general position, exact as `f32`, without duplicates.
 pub(crate) fn points(count: usize) -> Vec<[f64; 3]> {
     (0..count as u32).map(|i| [f64::from(i), f64::from(i * i % 17) / 4.0, f64::from(i % 5) - 0.5]).collect()
 }
@@ -19,17 +19,17 @@ pub(crate) const CUBE: [[u32; 4]; 6] =
 pub(crate) const OCTAHEDRON: [[u32; 3]; 8] =
     [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4], [1, 0, 5], [2, 1, 5], [3, 2, 5], [0, 3, 5]];
 
-/// Möbius's triangulation of the torus, seven vertices, which Császár's polyhedron has: i, i+1, i+3 and i, i+3, i+2 modulo 7.
+/// Möbius's triangulation of the torus with seven vertices, realized by Császár's polyhedron: i, i+1, i+3 and i, i+3, i+2 modulo 7.
 pub(crate) fn seven_vertex_torus() -> Vec<[u32; 3]> {
     (0..7).flat_map(|i| [[i, (i + 1) % 7, (i + 3) % 7], [i, (i + 3) % 7, (i + 2) % 7]]).collect()
 }
 
-/// Möbius's triangulation of his strip, five vertices: i, i+1, i+2 modulo 5.
+/// Möbius's triangulation of his strip with five vertices: i, i+1, i+2 modulo 5.
 pub(crate) fn moebius_strip() -> [[u32; 3]; 5] {
     [0, 1, 2, 3, 4].map(|i| [i, (i + 1) % 5, (i + 2) % 5])
 }
 
-/// The same, turned so that the faces agree along every edge but one.
+/// The Möbius strip, oriented so that the faces agree along every edge but one.
 pub(crate) fn moebius_strip_with_a_seam() -> [[u32; 3]; 5] {
     let mut faces = moebius_strip();
     for turned in [1, 3] {

@@ -1,4 +1,4 @@
-//! Random lists of faces: from nothing, and from a good mesh with a few faults.
+//! Random lists of faces: from scratch, and from a valid mesh with a few faults.
 
 use super::shapes::{grid, mesh, moebius_strip_with_a_seam};
 use quickcheck::{Arbitrary, Gen};
@@ -30,7 +30,7 @@ fn pure(g: &mut Gen) -> Soup {
     Soup { points, faces }
 }
 
-/// A triangulated grid, or a Möbius strip, with as many faults as come up.
+/// A triangulated grid or a Möbius strip, with a random number of faults.
 fn spoilt(g: &mut Gen) -> Soup {
     let (columns, rows) = (3 + below(g, 3) as u32, 1 + below(g, 3) as u32);
     let (mut points, cells) = grid(columns, rows, bool::arbitrary(g), rows > 2 && bool::arbitrary(g));
@@ -64,7 +64,7 @@ fn spoilt(g: &mut Gen) -> Soup {
             5 => points += 1,
             6 => faces.push(vec![faces[f][0], faces[f][1], below(g, points) as u32]),
             _ => {
-                // Another fan at a vertex that is there.
+                // Another fan at an existing vertex.
                 faces.push(vec![faces[f][0], points as u32, points as u32 + 1]);
                 points += 2;
             }

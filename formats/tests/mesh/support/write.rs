@@ -1,4 +1,4 @@
-//! Writers for all formats, as plain as can be.
+//! Minimal writers for all formats.
 
 use std::fmt::Write as _;
 use twinedge_formats::mesh::{Format, IndexedMesh};
@@ -15,7 +15,7 @@ pub(crate) enum Kind {
 }
 
 impl Kind {
-    /// Those that keep the numbers of the points.
+    /// The formats that keep the numbers of points.
     pub(crate) const INDEXED: [Self; 5] = [Self::Obj, Self::Off, Self::TextPly, Self::LittlePly, Self::BigPly];
     pub(crate) const ALL: [Self; 7] =
         [Self::Obj, Self::Off, Self::TextPly, Self::LittlePly, Self::BigPly, Self::TextStl, Self::BinaryStl];
@@ -103,7 +103,7 @@ fn text_stl(mesh: &IndexedMesh) -> Vec<u8> {
 }
 
 fn binary_stl(mesh: &IndexedMesh) -> Vec<u8> {
-    // A header that looks like text, as some writers make it.
+    // A header that looks like text, as written by some programs.
     let mut out = format!("{:80}", "solid of a binary file").into_bytes();
     out.extend((mesh.face_count() as u32).to_le_bytes());
     for face in mesh.faces() {

@@ -1,4 +1,4 @@
-//! Cleaning by tiles says and writes what cleaning the whole does, whatever the grid.
+//! Cleaning by tiles reports and writes the same as cleaning the whole layer, for any grid.
 
 use super::{CleanedTiles, clean_in_tiles};
 use crate::clean::Repair;
@@ -15,13 +15,13 @@ use twinedge_geometry::Point;
 
 type Ring = Vec<[f64; 2]>;
 
-/// Parcels that share borders, in rows, with faults.
+/// Parcels with shared borders, in rows, with faults.
 #[derive(Clone, Debug)]
 struct Parcels {
     size: [u8; 2],
-    /// The parcel, the fault, and a number that says more about it.
+    /// The parcel, the fault, and a number that parametrizes it.
     faults: Vec<(u8, u8, u8)>,
-    /// Numbers by which corners are moved.
+    /// Offsets of the corners.
     noise: Vec<u8>,
     tiles: u32,
     winner: u8,
@@ -53,14 +53,13 @@ impl Arbitrary for Parcels {
 }
 
 impl Parcels {
-    /// A corner of the parcels, moved a little.
     fn corner(&self, i: u8, j: u8) -> [f64; 2] {
         let noise = |k: u8| f64::from(self.noise[usize::from(k) % self.noise.len()] % 16) / 8.0;
         let away = if self.far { 1000.0 } else { 0.0 };
         [f64::from(i) * 10.0 + noise(3 * i + 7 * j) - away, f64::from(j) * 10.0 + noise(5 * i + 2 * j + 1)]
     }
 
-    /// The middles of sides are vertices, too.
+    /// The middles of sides are vertices as well.
     fn parcel(&self, i: u8, j: u8) -> Ring {
         let corners = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)].map(|(i, j)| self.corner(i, j));
         let sides = corners.into_iter().zip([corners[1], corners[2], corners[3], corners[0]]);
@@ -81,7 +80,7 @@ impl Parcels {
             match fault % 11 {
                 0 => ring[k][0] += by,
                 1 => ring[k][1] += by,
-                // Borders cross where there is no point.
+                // Borders cross away from points.
                 2 => {
                     ring[k][0] += by / 3.0;
                     let next = (k + 1) % ring.len();
@@ -93,7 +92,7 @@ impl Parcels {
                     let same = all[number].clone();
                     all.push(same);
                 }
-                // A sliver is a part of another one.
+                // A sliver becomes a part of another parcel.
                 6 => all[usize::from(*more) % count].push(vec![p, q, [p[0] + 0.125, p[1] + 0.25]]),
                 7 => all[number].clear(),
                 8 => ring.splice(k..k, [p, [p[0] + 3.0, p[1] + 4.0], p]).for_each(drop),
@@ -160,7 +159,7 @@ fn by_tiles(path: &Path, repair: &Repair<'_>, division: Division) -> (Vec<Featur
 
 type ChangeKey = (ChangeKind, Vec<usize>, Option<usize>, [i64; 4]);
 
-/// The changes with their measures rounded: these are equal up to rounding.
+/// The changes with rounded measures, for comparison.
 fn change_keys(report: &CleanReport) -> Vec<ChangeKey> {
     let rounded = |x: f64| (x * 1e6).round() as i64;
     let mut keys: Vec<_> = report
@@ -194,7 +193,7 @@ fn left_keys(report: &CleanReport) -> Vec<(&'static str, Vec<usize>, [i64; 2])> 
     keys
 }
 
-/// The number of features that change, if tiles say and write the same as the whole.
+/// Returns the number of changed features, if tiles and the whole layer agree.
 fn changed(text: &str, repair: &Repair<'_>, tiles: u32) -> Result<usize, String> {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("parcels.geojsonl");
@@ -231,7 +230,7 @@ fn changed(text: &str, repair: &Repair<'_>, tiles: u32) -> Result<usize, String>
     differ("features", one, other)?;
     let [one, other] = of(&|it| format!("{:?} {:?} {}", it.left, left_keys(it), it.polygons));
     differ("left", one, other)?;
-    // By its tiles again: nothing changes, and the same is left.
+    // A second run by tiles changes nothing and leaves the same findings.
     fs::write(&path, &written).unwrap();
     let (_, again, twice) = by_tiles(&path, repair, Division::Across(tiles));
     differ("twice", again, written)?;
@@ -274,7 +273,7 @@ fn a_hole_outside_of_its_polygon_becomes_a_part_of_it() {
     assert_eq!(changed(&text, &repair, 2), Ok(1));
 }
 
-/// Layers that were not clean after cleaning them once by tiles: vertices lie within a cell of borders.
+/// Layers that one cleaning by tiles did not clean: vertices lie within a cell of borders.
 const WITHIN_A_CELL: [&[[[f64; 2]; 3]]; 2] = [
     &[
         [[0.3, 1.2], [2.5, 1.9], [2.2, 1.2]],
@@ -290,7 +289,7 @@ const WITHIN_A_CELL: [&[[[f64; 2]; 3]]; 2] = [
     ],
 ];
 
-/// Triangles between tenths. Corners of some lie on corners or sides of others, but for the rounding of decimals.
+/// Triangles with coordinates in tenths. Some corners lie on corners or sides of other triangles, up to rounding.
 fn triangles(some: &mut impl FnMut(usize) -> usize) -> Vec<[[f64; 2]; 3]> {
     let mut corners: Vec<[f64; 2]> = Vec::new();
     for _ in 0..3 * (2 + some(4)) {
