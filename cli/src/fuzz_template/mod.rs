@@ -120,9 +120,9 @@ fn absolute(path: &Path) -> Result<PathBuf, Failure> {
     fs::canonicalize(path).map_err(|error| Failure(format!("{}: {error}", path.display())))
 }
 
-/// Quotes a path as a TOML string, for which Rust's syntax is a subset of TOML's.
+/// Quotes a path as a basic string of TOML, which JSON's strings are, too.
 fn quoted(path: &Path) -> String {
-    format!("{:?}", path.display().to_string())
+    serde_json::Value::from(path.display().to_string()).to_string()
 }
 
 fn write(path: &Path, contents: &[u8]) -> Result<(), Failure> {
@@ -140,4 +140,17 @@ fn noise(seed: u64, count: usize) -> Vec<u8> {
         (state >> 56) as u8
     };
     (0..count).map(|_| byte()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::quoted;
+    use std::path::Path;
+
+    #[test]
+    fn paths_are_strings_of_toml() {
+        // Rust writes a combining accent as `\u{301}`, which TOML does not know.
+        let strings = ["a\u{301}/it's", "a\\b\"c"].map(|path| quoted(Path::new(path)));
+        assert_eq!(strings, ["\"a\u{301}/it's\"", r#""a\\b\"c""#]);
+    }
 }
