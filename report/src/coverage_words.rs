@@ -55,14 +55,14 @@ mod tests {
     use twinedge_formats::mesh::SpaceRule;
 
     #[test]
-    fn the_readme_states_each_rule() {
-        let readme = include_str!("../../README.md");
+    fn the_page_of_the_rules_states_each() {
+        let page = include_str!("../../docs/rules.md");
         let of_coverage = CoverageRule::ALL.iter().map(|rule| (rule.id(), rule.name(), statement(*rule)));
         let of_layers = LayerRule::ALL.iter().map(|rule| (rule.id(), rule.name(), rule.statement()));
         let of_meshes = SpaceRule::ALL.iter().map(|rule| (rule.id(), rule.name(), rule.statement()));
         for (id, name, statement) in of_coverage.chain(of_layers).chain(of_meshes) {
             let row = format!("| {id} {name} | {statement} |");
-            assert!(readme.lines().any(|line| line == row), "README.md has no line\n{row}");
+            assert!(page.lines().any(|line| line == row), "docs/rules.md has no line\n{row}");
         }
     }
 }
