@@ -17,7 +17,7 @@ use twinedge_report::clean::Written;
 /// Write a layer in another format, with nothing lost.
 ///
 /// Geometries with all their dimensions, ids, attributes with their types, the order of features, foreign members and the coordinate
-/// reference system are kept. What the other format cannot hold is an error that says what it is, and with `--lossy` a warning.
+/// reference system are kept. Content that the other format cannot hold is an error that names it, and with `--lossy` a warning.
 /// Coordinates are not transformed.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
@@ -54,7 +54,7 @@ pub(crate) struct LayerOutput {
     #[arg(long, value_name = "NAME")]
     id_column: Option<String>,
 
-    /// Write even what the format cannot hold, and warn.
+    /// Write the rest if the format cannot hold everything, and warn.
     #[arg(long)]
     lossy: bool,
 }

@@ -14,20 +14,20 @@ use twinedge_trials::corrupt::{CorruptOutcome, CorruptWork, HUNG, RuleRow, Tally
 use twinedge_trials::replay::Indexed;
 use twinedge_trials::{Checker, Outcome, Run, Structure, StructureError, corrupt};
 
-/// Set every field of every small map to every other value, exchange what they hold, and compare the validator with the reference.
+/// Set every field of every small map to every other value, exchange fields, and compare the validator with the reference.
 ///
 /// The maps are all planar subdivisions of up to N edges and N + 1 vertices: of one component or several, nested, with isolated
 /// vertices. Each is judged in two forms: with records for its boundary components, and as textbook tables without them.
 ///
 /// The values are nil, every slot of the kind of record that the field leads to (one of them vacant), the slot past the end, and
-/// the largest number. The reference validator, which is written straight from the rules, decides what is wrong and by which rule
-/// first; the fast validator must say the same.
+/// the largest number. The reference validator, which is written straight from the rules, decides whether
+/// a table is valid and which rule it breaks first; the fast validator must say the same.
 ///
-/// Then follow corruptions that keep the counts: what two cells of a kind hold is exchanged, and two whole records; two cycles, and
-/// the lists of two faces, with and without what leads there; twins; and what follows half-edges. Two cycles become one boundary
+/// Then follow corruptions that keep the counts. Two cells of a kind exchange their contents, and so do two whole records, two cycles and
+/// the lists of two faces (with and without the links that lead there), twins, and the successors of half-edges. Two cycles become one boundary
 /// component, outer ones become inner ones, a loop becomes a single half-edge that is its own twin, and a face lists an entry again.
 ///
-/// Maps of up to two edges and two vertices are judged in every form, too: as each of the 112 distinct expectations has them (plane
+/// Maps of up to two edges and two vertices are also judged in every form: as each of the 112 distinct expectations has them (plane
 /// or surface, closed or open, with or without each part), and as three have them that ask for M1 ... M8. Each rule that an
 /// expectation checks must be the first broken one there.
 ///

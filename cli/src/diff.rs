@@ -10,7 +10,7 @@ use std::io::BufReader;
 use std::path::{Path, PathBuf};
 use twinedge_report::Compared;
 
-/// Compare two reports of `twinedge audit --format json`: what is new, what is gone, and what has changed.
+/// Compare two reports of `twinedge audit --format json`: new, gone and changed findings.
 ///
 /// Findings are known by their ids: the rule, the features by their ids or names, and the place. A finding has changed if it has other
 /// measures. A report that does not list all that was found, or whose audit did not end, is refused.

@@ -162,7 +162,7 @@ fn read_input(mut input: Input) -> Result<(String, Layer), Failure> {
 #[derive(Debug, clap::Args)]
 pub(crate) struct Cutting {
     /// Cut segments wherever they cross, touch or overlap, and round all points to a grid. `auto` chooses the finest grid that
-    /// the coordinates allow. SIZE is the width of its cells: with 0.001, coordinates have three decimal places, and those that have stay.
+    /// the coordinates allow. SIZE is the width of its cells: with 0.001, coordinates have three decimal places, and such coordinates stay.
     #[arg(long, value_name = "auto|SIZE", value_parser = snap, allow_negative_numbers = true)]
     snap: Option<Snap>,
 }

@@ -12,8 +12,8 @@ use twinedge_report::clean::Written;
 /// Lay two layers over each other: the pieces that they cut each other into, with the attributes of both.
 ///
 /// A piece is the place that a feature of the first layer and one of the second have in common, or that one layer covers alone. Where both
-/// have a column of one name, that of the second gets a number. Ids become columns. Lines and points are left out. The areas alone are
-/// those of `twinedge query FILE overlay SECOND`.
+/// have a column of one name, the second layer's column gets a number. Ids become columns. Lines and points are left out. `twinedge query FILE overlay SECOND`
+/// prints the areas alone.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   twinedge overlay soils.gpkg parcels.gpkg -o pieces.gpkg

@@ -18,14 +18,14 @@ use twinedge_trials::{Outcome, Run, Structure, StructureError, prove};
 
 /// Grow every small planar map by the operators, and try every operator with every argument on each.
 ///
-/// Connected maps grow from one vertex. They are told apart by their canonical form and counted against published numbers of
+/// Connected maps grow from one vertex. They are distinguished by their canonical form and counted against published numbers of
 /// maps: rooted (OEIS A000168), without root (A006384), and with one face distinguished as the outside (A103937).
 ///
 /// After each operator that is applied, the validator checks every rule, the counts must have changed as the operator promises,
 /// and the result must be one of the maps that were grown. After each operator that is refused, nothing may have changed. No
 /// operator may panic.
 ///
-/// Arguments: all half-edges, corners, faces and boundary components, those that the operator must refuse included, plus one stale
+/// Arguments: all half-edges, corners, faces and boundary components, including arguments that the operator must refuse, plus one stale
 /// key of each kind.
 ///
 /// Disconnected maps: up to min(N - 1, 4) edges, and two more vertices. Isolated vertices and nested components are included.
@@ -34,8 +34,7 @@ use twinedge_trials::{Outcome, Run, Structure, StructureError, prove};
 /// Genus: every permutation of up to 10 half-edges is shown to the validator as a rotation system. Those accepted are counted by
 /// genus (Walsh and Lehman). This part tests the validator, not the structure.
 ///
-/// Not checked here: whether an operator does what it promises beyond rules and counts, for example that an edge turns the way it
-/// is told. `twinedge soak` compares the structure with a reference.
+/// Not checked here: effects of an operator beyond rules and counts, for example the direction in which an edge turns. `twinedge soak` compares the structure with a reference.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   twinedge prove                          maps of up to 5 edges: a few seconds

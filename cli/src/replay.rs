@@ -23,7 +23,7 @@ use twinedge_trials::{Silent, Structure, replay};
 ///
 /// With --map it is a journal of edits of a map, which begins with the line `twinedge edits 1`: `insert_point`, `insert_segment`,
 /// `insert_segment_snapped`, `insert_ring`, `remove_edge`, `remove_vertex`, `move_vertex`, `add_feature`, `set_features_of`, `set_features_along`, in the
-/// words of `twinedge_map::program`. Each step is validated, and has to be done. The output of --format json is a journal, too. An editor in
+/// words of `twinedge_map::program`. Each step is validated, and has to be done. The output of --format json is also a journal. An editor in
 /// Rust writes each edit as a line: an `EditOp`, which shows itself so. Undone edits are left out. An edit that names a number past the last record is skipped, and the report says so.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:

@@ -14,7 +14,7 @@ use twinedge_trials::{Outcome, sample};
 
 /// Judge random tables, right or wrong, by the validator and by the reference.
 ///
-/// The tables are those of maps with up to 40 edges: of several components, nested, with vacant rows, in random order. They are
+/// The tables are of maps with up to 40 edges: of several components, nested, with vacant rows, in random order. They are
 /// made by random programs, and from random rotation systems with random containment, which breaks V2, T1, T2 and T3 as well.
 /// Most of them are then damaged, mostly such that the counts stay the same: two cells, two records, two cycles or the lists of
 /// two faces are exchanged. Validator and reference must find the same first broken rule, or none.

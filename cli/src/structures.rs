@@ -16,11 +16,11 @@ pub(crate) enum StructureName {
     /// The structure of the library: slotmap keys over columns.
     #[default]
     Slots,
-    /// The same, with room for 24 vertices, 40 edges, 40 boundary components and 24 faces.
+    /// The structure with room for 24 vertices, 40 edges, 40 boundary components and 24 faces.
     Limited,
-    /// The same, validated locally after each operator.
+    /// The structure, validated locally after each operator.
     Audited,
-    /// The same with a history: after each operator some changes are undone and redone, and compared with copies.
+    /// The structure with a history: after each operator some changes are undone and redone, and compared with copies.
     History,
     /// A second independent model: records joined by raw pointers.
     Pointers,

@@ -24,10 +24,10 @@ use twinedge_trials::{SumError, sum};
 ///
 /// The parts come from `prove`, `corrupt`, `tables`, `sample` or `soak` with `--shard K/N --format json`. Their sum is what one run of the
 /// whole work would have printed, except for times: `elapsed_ms` is added up, and of `slowest_us` the greatest is kept. If a
-/// program of `soak` fails, the counts are those of the programs that were run.
+/// program of `soak` fails, the counts cover the programs that were run.
 ///
 /// Summaries of tiles, as `tile` writes them, are merged instead. Their sum is what `audit` says of the map. If two files have the same
-/// tile, one of them is to be left out. Tiles that are missing, or that were made without cuts where borders cross, are named by column and row.
+/// tile, one of them must be left out. Tiles that are missing, or that were made without cuts where borders cross, are named by column and row.
 ///
 /// The files must have the same command, version and arguments. All N parts must be there, each once, and none may have been
 /// interrupted.
@@ -46,7 +46,7 @@ pub(crate) struct Sum {
     #[arg(required = true)]
     files: Vec<PathBuf>,
 
-    /// Of summaries of tiles: write the summary of them together, of which there may be more to come, and print no report.
+    /// For summaries of tiles: write their common summary, to which more tiles can be added, and print no report.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 

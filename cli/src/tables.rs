@@ -16,7 +16,7 @@ use twinedge_trials::{Outcome, tables};
 /// Judge tables of up to N half-edges, right or wrong, by the validator and by the reference.
 ///
 /// Some fields are free: they are set to everything, in all combinations. Validator and reference must find the same first broken
-/// rule, or none; and as many tables must be right as the formulas for maps on labelled half-edges say. The free fields depend on
+/// rule, or none, and the number of valid tables must match the formulas for maps on labelled half-edges. The free fields depend on
 /// the size:
 ///
 /// No half-edge: two isolated vertices in one face. All fields but leaving are free, nil included.
@@ -27,20 +27,20 @@ use twinedge_trials::{Outcome, tables};
 /// half-edges are given, and all other fields are free.
 ///
 /// 4 half-edges, no faces, no leaving: origin, twin and next on 2 vertices; twin and next; next and prev for every pairing of
-/// twins; twin or nil, and next, with open borders, also where a square or a torus is asked for. Origin, twin, next, prev and leaving are not all free together. In the last
+/// twins; twin or nil, and next, with open borders, also for a square or a torus. Origin, twin, next, prev and leaving are not all free together. In the last
 /// five, origins are what twin and next demand.
 ///
 /// 6 half-edges and more: next, for every pairing of twins. Origins follow; there is no prev, leaving or face.
 ///
 /// With --lazy every field of tables of one size is free, dangling links included. A run of the validator stands for all tables
 /// that agree in the fields that it has read, and so does one of the reference. Each table that one of both accepts is judged by the other. The runs
-/// stand for all tables, and the number of accepted ones is that of a recount, where there is one: on closed surfaces and in the plane
-/// without holes, whatever is asked for. The number of runs and the time are estimated first, from some thousand random runs, and said on standard
-/// error; the numbers differ from those found by less than a factor of two, as a rule. A mesh is asked for in words: `surface asking simple sides 3 genus 0`.
+/// stand for all tables, and the number of accepted tables is compared with a recount on closed surfaces and in the plane without holes, under
+/// any expectation. The number of runs and the time are estimated first, from some thousand random runs, and printed on standard error;
+/// estimates are usually within a factor of two. A mesh is described in words: `surface asking simple sides 3 genus 0`.
 ///
 /// With --lazy --certificates the labels of certificates are free as well, and so are the lengths of their columns: ranks and positions from 0 to the number of half-edges less 1, or nil. A run stands for all that are in the same order. The reference goes through
-/// all tables, and those that it accepts must pass with the labels that are made for them. The checker goes through all tables with all labels, and the reference
-/// judges those that pass. Both together go through them again, and must accept as many. Where tables store no boundary components or faces, labels have up to --boundaries and --faces of them. Certificates
+/// all tables, and each accepted table must pass with the labels that are made for it. The checker goes through all tables with all labels, and the
+/// reference judges the tables that pass. Both together go through them again, and must accept the same number. Where tables store no boundary components or faces, labels have up to --boundaries and --faces of them. Certificates
 /// are of the plane, or of closed surfaces of a genus: `surface asking genus 1`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:

@@ -16,7 +16,7 @@ use twinedge_trials::{Outcome, Validator, lazy};
 /// The tables that `--lazy` goes through.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Size {
-    /// With --lazy: what the tables are held to, as in `surface open asking closed genus 0`.
+    /// With --lazy: the expectation of the tables, as in `surface open asking closed genus 0`.
     #[arg(long, value_name = "CLAIMS", default_value = "surface", requires = "lazy", value_parser = expectation)]
     expect: Expectation,
 

@@ -15,7 +15,7 @@ use twinedge_report::voronoi::{Sites, cells, shared, triangles};
 /// Make the Voronoi diagram of points: for each the part of the plane that is nearest to it.
 ///
 /// Each cell has the properties of its point, and `site`, the number of the point, counted from 0. Points at the same place have
-/// one cell, that of the first. Unbounded cells are closed by a box, the one given or one that is a tenth wider than the points;
+/// one cell, the first one's. Unbounded cells are closed by a box, the one given or one that is a tenth wider than the points;
 /// it is the `bbox` of the output.
 #[derive(Debug, clap::Args)]
 #[command(

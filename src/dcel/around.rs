@@ -1,7 +1,6 @@
 //! Walks from an element: around its vertex, along its cycle, over its face.
 
-use super::elements::{Boundary, Face, HalfEdge, Vertex};
-use super::elements::{Cycle, Rotation};
+use super::elements::{Boundary, Cycle, Face, HalfEdge, Rotation, Vertex};
 
 impl<'a> Vertex<'a> {
     /// Returns the half-edges that leave the vertex, counter-clockwise; `rev()` for clockwise. O(1) per step.

@@ -131,8 +131,7 @@ mod subject;
 mod table;
 mod validator;
 
-pub use expectation::ParseExpectationError;
-pub use expectation::{Expectation, Surface};
+pub use expectation::{Expectation, ParseExpectationError, Surface};
 pub use findings::{Findings, Flow, Halt};
 pub use report::{Bounds, Collect, Counts, Field, Figures, Named, Record, Report, RuleOutcome, Unchecked, Violation};
 #[cfg(feature = "serde")]

@@ -9,8 +9,7 @@ use super::rule::Rule;
 use super::rules::live::{self, Census};
 use super::rules::{faces, links, mesh, whole};
 use super::structure::{Part, View};
-use super::subject::Components;
-use super::subject::{Extent, Subject};
+use super::subject::{Components, Extent, Subject};
 use alloc::vec::Vec;
 
 /// The rules about topology. On surfaces B2, T1, T2 and T4 are not checked. M1 … M8 are checked on request, and G1 … G5 by

@@ -25,8 +25,8 @@ use twinedge_report::{Accepted, Edges, Options, ParentColumn};
 ///
 /// A file of tables is judged line by line instead. `twinedge tables --print` and `twinedge corrupt --print` write such files.
 /// Each line is one structure as plain tables, in the text form of `twinedge::validate::Table`; a verdict may follow, `= ok` or
-/// the first broken rule, as in `= R1`, and is compared with that of the validator. The line `# expect: plane without prev`, or
-/// `# expect: surface open asking closed genus 0 sides 3`, says what the tables below it are held to; other lines that begin with `#` are comments.
+/// the first broken rule, as in `= R1`, and is compared with the validator's. The line `# expect: plane without prev`, or
+/// `# expect: surface open asking closed genus 0 sides 3`, is the expectation of the tables below it; other lines that begin with `#` are comments.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   twinedge audit                          the built-in map of the world
@@ -57,8 +57,8 @@ pub(crate) struct Audit {
     #[arg(long, value_name = "N", value_parser = crate::input::whole, allow_negative_numbers = true)]
     pub(super) list: Option<usize>,
 
-    /// Say of each kind of violation or finding what usually causes it and what mends it. In JSON these are the keys `cause` and
-    /// `remedy`. Of a topology of PostGIS: the SQL that shows the rows, and the SQL that mends what can be mended in one way only (key `sql`).
+    /// Print the usual cause and the remedy of each kind of violation or finding. In JSON these are the keys `cause` and
+    /// `remedy`. For a topology of PostGIS: the SQL that shows the rows, and the SQL that fixes faults with a single fix (key `sql`).
     #[arg(long)]
     pub(super) explain: bool,
 
@@ -75,12 +75,12 @@ pub(crate) struct Audit {
     #[arg(long, value_name = "TEXT", requires = "accept_all", default_value = "accepted as it is")]
     pub(super) reason: String,
 
-    /// Give up after so many seconds: the verdict is then `unknown`, and the exit status 1. The report says so; a layer or a page is
+    /// Give up after this number of seconds: the verdict is then `unknown`, and the exit status 1. The report says so; a layer or a page is
     /// not written.
     #[arg(long, value_name = "SECONDS", value_parser = crate::coverage_arguments::positive)]
     pub(super) timeout: Option<f64>,
 
-    /// The input is a topology of PostGIS, as `psql` writes it after `twinedge postgis --sql NAME`. (It is recognised without this, too;
+    /// The input is a topology of PostGIS, as `psql` writes it after `twinedge postgis --sql NAME`. (It is also recognised without this;
     /// with it nothing else is accepted.)
     #[arg(long)]
     pub(super) postgis: bool,
@@ -96,7 +96,7 @@ pub(crate) struct Audit {
     #[arg(long, value_name = "TAGS", conflicts_with_all = ["tiles", "memory", "arcs", "postgis", "against", "parent_column"])]
     pub(super) boundaries: Option<TagFilter>,
 
-    /// Cut the map into N by N tiles, judge each alone, and merge what they say: the same report, but violations do not name records.
+    /// Cut the map into N by N tiles, judge each alone, and merge the results: the same report, but violations do not name records.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024))]
     pub(super) tiles: Option<u32>,
 

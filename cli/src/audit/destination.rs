@@ -21,7 +21,7 @@ pub(super) enum ReportFormat {
     Sarif,
     /// XML in the form of `JUnit`, for continuous integration: a test case for each rule.
     Junit,
-    /// The map and what was found side by side, in one file that a browser shows without network.
+    /// The map and the findings side by side, in one file that a browser shows without network.
     Html,
 }
 
@@ -39,7 +39,7 @@ const EXTENSIONS: [(&str, ReportFormat); 7] = [
 /// The arguments.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
-    /// Output format. Default: what the extension of the output says (.txt, .json, .geojson, .sarif, .xml, .html), else text. geojson and html are for
+    /// Output format. Default: by the extension of the output (.txt, .json, .geojson, .sarif, .xml, .html), else text. geojson and html are for
     /// maps, topologies of PostGIS and the tables of a textbook.
     #[arg(long, value_enum)]
     format: Option<ReportFormat>,

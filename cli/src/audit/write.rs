@@ -1,9 +1,8 @@
 //! Writing an audit in the requested format.
 
 use super::destination::{Destination, ReportFormat};
-use crate::output::plain;
-use crate::output::print;
 use crate::output::style::BAD;
+use crate::output::{plain, print};
 use crate::status::Failure;
 use twinedge_report::Audited;
 

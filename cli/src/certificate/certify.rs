@@ -42,7 +42,7 @@ pub(crate) struct Certify {
     #[arg(short, long, value_name = "FOLDER")]
     output: PathBuf,
 
-    /// Leave the coordinates out: the certificate says that the structure is that of a planar subdivision. Only maps have them in their
+    /// Leave the coordinates out: the certificate says that the structure is a planar subdivision. Only maps have them in their
     /// certificates.
     #[arg(long)]
     topology_only: bool,
@@ -52,12 +52,12 @@ pub(crate) struct Certify {
     #[arg(long, value_name = "ENGINE", value_enum)]
     sql: Option<Engine>,
 
-    /// The input is a topology of PostGIS, as `psql` writes it after `twinedge postgis --sql NAME`. (It is recognised without this, too;
+    /// The input is a topology of PostGIS, as `psql` writes it after `twinedge postgis --sql NAME`. (It is also recognised without this;
     /// with it nothing else is accepted.)
     #[arg(long, conflicts_with_all = ["layer", "snap", "table"])]
     postgis: bool,
 
-    /// The input is a table, and has no coordinates. (It is recognised without this, too.)
+    /// The input is a table, and has no coordinates. (It is also recognised without this.)
     #[arg(long, conflicts_with_all = ["layer", "snap"])]
     table: bool,
 }

@@ -6,7 +6,7 @@ use crate::status::{Failure, Verdict};
 use std::path::PathBuf;
 use twinedge_certificate::{Failure as FailedTest, Test};
 
-/// Check a certificate: whether what is in a folder is a planar subdivision, or a surface.
+/// Check a certificate: whether a folder holds a planar subdivision, or a surface.
 ///
 /// The check is a scan that looks at each record once. It shares no code with `twinedge audit`, and prints the same lines as the checker
 /// that is proved in Coq (`proofs/coq/certified`).

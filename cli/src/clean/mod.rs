@@ -28,7 +28,7 @@ use twinedge_report::clean::{Cleaning, Names, Repair};
 /// them.
 ///
 /// Ids, attributes, the order of features and foreign members are kept, and so is the geometry of features in which nothing
-/// changed. From GeoJSON to GeoJSON all bytes stay but those of the geometries that changed. Vertices keep their further dimensions; for new ones these are interpolated. Lines and points are left as they are.
+/// changed. From GeoJSON to GeoJSON all bytes stay, except in changed geometries. Vertices keep their further dimensions; for new ones these are interpolated. Lines and points are left as they are.
 ///
 /// No point moves, unless borders cross where there is none, or --snap asks for a grid. Cleaning the output again changes nothing.
 #[derive(Debug, clap::Args)]
@@ -59,7 +59,7 @@ pub(crate) struct Clean {
     dry_run: bool,
 
     /// Round all points to a grid first: points within the same cell become one. SIZE is the width of the cells: with 0.001,
-    /// coordinates have three decimal places, and those that have stay.
+    /// coordinates have three decimal places, and such coordinates stay.
     #[arg(long, value_name = "auto|SIZE", value_parser = crate::input::snap, allow_negative_numbers = true)]
     snap: Option<Snap>,
 
@@ -99,12 +99,12 @@ pub(crate) struct Clean {
     undo: Option<PathBuf>,
 
     /// Clean a file of GeoJSON or newline-delimited GeoJSON that is larger than memory. It is judged by tiles: as many as it takes to judge each within SIZE, as 800M or
-    /// 2G, in the folder for temporary files (TMPDIR). Only the neighbourhoods of what is wrong are read and cleaned. If one does not fit into SIZE it stays as it is, and the
+    /// 2G, in the folder for temporary files (TMPDIR). Only the neighbourhoods of faults are read and cleaned. If one does not fit into SIZE it stays as it is, and the
     /// report says so. The output has the format of the input.
     #[arg(long, value_name = "SIZE", value_parser = crate::input::size, conflicts_with_all = ["tiles", "snap", "gaps_to", "patch", "undo"])]
     memory: Option<u64>,
 
-    /// The same with N by N tiles, in memory, and neighbourhoods of any size.
+    /// Like --memory with N by N tiles, in memory, and neighbourhoods of any size.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024), conflicts_with_all = ["snap", "gaps_to", "patch", "undo"])]
     tiles: Option<u32>,
 

@@ -43,7 +43,7 @@ pub(crate) struct Decompose {
     #[arg(long, value_name = "NAME")]
     feature: Option<String>,
 
-    /// Output format. Default: what the extension of the output says (.txt, .json, .geojson), else text.
+    /// Output format. Default: by the extension of the output (.txt, .json, .geojson), else text.
     #[arg(long, value_enum)]
     format: Option<Format>,
 

@@ -38,7 +38,7 @@ pub(crate) struct FuzzTemplate {
     #[arg(long, value_name = "EXPRESSION")]
     subject: Option<String>,
 
-    /// The folder of the package that has the structure. Default: the one that DIR is in.
+    /// The folder of the package that has the structure. Default: the package around DIR.
     #[arg(long, value_name = "PATH")]
     package: Option<PathBuf>,
 
@@ -120,7 +120,7 @@ fn absolute(path: &Path) -> Result<PathBuf, Failure> {
     fs::canonicalize(path).map_err(|error| Failure(format!("{}: {error}", path.display())))
 }
 
-/// Quotes a path as a basic string of TOML, which JSON's strings are, too.
+/// Quotes a path as a string of JSON, which is also a basic string of TOML.
 fn quoted(path: &Path) -> String {
     serde_json::Value::from(path.display().to_string()).to_string()
 }

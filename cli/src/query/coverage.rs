@@ -14,7 +14,7 @@ use twinedge_report::{Coverage, row};
 
 /// Overlaps, gaps, near misses, slivers, duplicates, features that are not valid by the OGC, and mismatches: what breaks C1 … C7, as a table.
 ///
-/// The map need not be plane: borders that cross are cut on the finest grid.
+/// The map does not have to be plane: borders that cross are cut on the finest grid.
 #[derive(Debug, clap::Args)]
 #[command(
     name = "coverage",

@@ -23,9 +23,7 @@ use crate::input::MapFile;
 use crate::output::plain;
 use crate::status::{Failure, Verdict};
 use clap::Subcommand;
-use twinedge_report::Imported;
-use twinedge_report::Keep;
-use twinedge_report::Units;
+use twinedge_report::{Imported, Keep, Units};
 
 /// Ask a map about neighbours, places, lines, outlines, faces, ways and lattice points.
 #[derive(Debug, clap::Args)]

@@ -46,7 +46,7 @@ pub(super) struct OverlayOf {
 /// The order of pairs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 enum SortBy {
-    /// The features of the first layer in their order, and then those of the second.
+    /// The features of the first layer in their order, then the features of the second.
     #[default]
     Features,
     /// The area, the largest first.

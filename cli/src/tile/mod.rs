@@ -21,7 +21,7 @@ use twinedge_report::{Error, Imported, InMemory, Keep, refuse_edges};
 /// A grid cuts the map into tiles, and each can be judged by a process of its own, on whatever machine. `twinedge sum` of the summaries of
 /// all tiles says what `twinedge audit` says of the map. Summaries that are equal are equal byte by byte, so a tile may be made again.
 ///
-/// Of `FlatGeobuf` with an index, and of `GeoParquet` with a column of boxes or Parquet's own geometries, only the features that meet the tile are read, and those that
+/// Of `FlatGeobuf` with an index, and of `GeoParquet` with a column of boxes or Parquet's own geometries, only the features that meet the tile are read, and features that
 /// cut their edges. A box that is smaller than its feature is an error in each tile that it meets: if all tiles can be made, no feature was missed. Other files are read
 /// as a whole for each tile; `twinedge convert` writes both formats.
 ///

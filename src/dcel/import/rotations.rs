@@ -1,9 +1,7 @@
 //! Builds a [`Dcel`] from a rotation system.
 
-use super::from_view::Keys;
-use super::from_view::keys;
-use super::gather::Numbers;
-use super::gather::Pieces;
+use super::from_view::{Keys, keys};
+use super::gather::{Numbers, Pieces};
 use crate::dcel::assemble::Assembly;
 use crate::dcel::operators::Corner;
 use crate::dcel::structure::Dcel;

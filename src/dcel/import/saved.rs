@@ -1,7 +1,6 @@
 //! The serde form of structures.
 
-use super::error::ImportError;
-use super::error::Outside;
+use super::error::{ImportError, Outside};
 use super::from_view::import;
 use super::gather::Numbers;
 use crate::dcel::structure::Dcel;

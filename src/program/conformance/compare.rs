@@ -8,9 +8,8 @@ use crate::program::pointer_model::{PointerModel, PointerModelVertex};
 use crate::program::runner::Runner;
 use crate::program::subject::{CornerOf, Subject, view_face_of};
 use alloc::collections::BTreeMap;
-use alloc::format;
-use alloc::vec;
 use alloc::vec::Vec;
+use alloc::{format, vec};
 use core::fmt;
 use core::iter::repeat;
 

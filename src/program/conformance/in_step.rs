@@ -1,8 +1,10 @@
 //! Runs a structure and the reference in step: operator by operator, for one program, or for many random ones.
 
 use super::compare::{Exchange, Vertices, compare_answers, compare_view};
-use super::difference::{ConformanceSummary, NotCompared, OperatorCounts};
-use super::difference::{Counterexample, Difference, Failure, Words, call_in_words, places_in_words};
+use super::difference::{
+    ConformanceSummary, Counterexample, Difference, Failure, NotCompared, OperatorCounts, Words, call_in_words,
+    places_in_words,
+};
 use super::{Conformance, Coverage};
 use crate::dcel::{Corner, Side};
 use crate::program::arguments::{FacePick, HalfEdgePick, InnerPick, SecondPick, VertexPick};

@@ -1,7 +1,6 @@
 //! The values of one attribute, and the changes that operators make to them.
 
-use super::policy::{Attributed, Kind};
-use super::policy::{Merging, Policy, Reason, Splitting};
+use super::policy::{Attributed, Kind, Merging, Policy, Reason, Splitting};
 use alloc::boxed::Box;
 use alloc::collections::BTreeSet;
 use alloc::sync::Arc;

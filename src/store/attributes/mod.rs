@@ -7,9 +7,7 @@ mod column;
 mod policy;
 
 pub use column::{Saved, Step, Value};
-pub use policy::Policy;
-pub use policy::Quantity;
-pub use policy::{Attributed, Corners, Edges, Faces, HalfEdges, Kind, Vertices};
+pub use policy::{Attributed, Corners, Edges, Faces, HalfEdges, Kind, Policy, Quantity, Vertices};
 
 use crate::store::issuer::structure_offset;
 use alloc::boxed::Box;

@@ -50,5 +50,4 @@ mod without_next;
 pub use index::{Ids, Index};
 pub use labels::FaceLabels;
 pub use targets::Targets;
-pub use without_next::Backward;
-pub use without_next::Borders;
+pub use without_next::{Backward, Borders};

@@ -1,7 +1,6 @@
 //! The lists of the faces: F1, F2, the starts of B1, and the faces' half of B2.
 
-use super::cycles::Marks;
-use super::cycles::along;
+use super::cycles::{Marks, along};
 use super::rotations::Starts;
 use crate::validate::structure::{BoundaryPlace, Part, Start, View};
 use crate::validate::subject::Extent;

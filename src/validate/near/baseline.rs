@@ -1,8 +1,7 @@
 //! The structure when it was last found valid.
 
 use super::check::{Scratch, check};
-use super::diff::Diff;
-use super::diff::WriteSet;
+use super::diff::{Diff, WriteSet};
 use super::links::LinkReader;
 use crate::validate::expectation::Expectation;
 use crate::validate::report::{Collect, Report};

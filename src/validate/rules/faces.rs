@@ -7,8 +7,7 @@ use crate::validate::half_edges::HalfEdges;
 use crate::validate::report::{Record, Unchecked, Violation};
 use crate::validate::rule::Rule;
 use crate::validate::structure::{BoundaryPlace, Part, Start};
-use crate::validate::subject::Subject;
-use crate::validate::subject::column;
+use crate::validate::subject::{Subject, column};
 use alloc::vec::Vec;
 
 /// B1 cycle: the boundary component is constant along `next`, its start is on its own cycle, and it has one cycle.

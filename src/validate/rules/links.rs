@@ -9,8 +9,7 @@ use crate::validate::half_edges::HalfEdges;
 use crate::validate::report::{Unchecked, Violation};
 use crate::validate::rule::Rule;
 use crate::validate::structure::Part;
-use crate::validate::subject::Subject;
-use crate::validate::subject::{Component, Components, column};
+use crate::validate::subject::{Component, Components, Subject, column};
 use alloc::vec::Vec;
 
 /// Runs L1, L2 and L3 on every half-edge with live links. At an open boundary without `prev`, returns the predecessor of each

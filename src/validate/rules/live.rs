@@ -13,8 +13,7 @@ use crate::validate::half_edges::HalfEdges;
 use crate::validate::report::{Field, Record, Unchecked, Violation};
 use crate::validate::rule::Rule;
 use crate::validate::structure::{Link, Part, Start};
-use crate::validate::subject::Subject;
-use crate::validate::subject::column;
+use crate::validate::subject::{Subject, column};
 use alloc::vec::Vec;
 
 pub(crate) struct Census {

@@ -7,8 +7,7 @@ use crate::validate::findings::{Findings, Flow};
 use crate::validate::report::{Field, Record, Unchecked, Violation};
 use crate::validate::rule::Rule;
 use crate::validate::structure::Part;
-use crate::validate::subject::Subject;
-use crate::validate::subject::column;
+use crate::validate::subject::{Subject, column};
 
 /// Runs the requested rules of M1 … M8. `is_simple` is true if there are neither loops nor parallel edges.
 pub(crate) fn mesh(subject: Subject<'_>, census: &Census, is_simple: bool, findings: &mut Findings) -> Flow {

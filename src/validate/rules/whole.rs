@@ -6,8 +6,7 @@ use crate::validate::half_edges::HalfEdges;
 use crate::validate::report::{Bounds, Record, Unchecked, Violation};
 use crate::validate::rule::Rule;
 use crate::validate::structure::{Part, Start, View};
-use crate::validate::subject::Subject;
-use crate::validate::subject::{Components, column};
+use crate::validate::subject::{Components, Subject, column};
 use alloc::vec::Vec;
 
 /// Counts the cycles of each component for T3, and records which components are open.
