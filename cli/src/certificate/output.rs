@@ -11,6 +11,9 @@ use twinedge_report::certificate::FIRST_LINE;
 
 /// Writes all columns, the tables if requested, and then the claim with these notes. Replaces an existing certificate.
 pub(super) fn write(folder: &Path, claim: &Claim, notes: &Notes, sql: Option<Engine>) -> Result<(), Failure> {
+    if let Some(engine) = sql {
+        sql::check(engine)?;
+    }
     clear(folder)?;
     claim.write_columns(folder)?;
     if let Some(engine) = sql {

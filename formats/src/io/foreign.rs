@@ -33,6 +33,8 @@ pub enum ForeignFormat {
     FileGeodatabase,
     /// glTF, as text or binary.
     Gltf,
+    /// PLY: a mesh, and no map.
+    Ply,
     /// Text in UTF-16.
     Utf16,
     /// A zip archive.
@@ -59,9 +61,11 @@ impl ForeignFormat {
     /// ```
     #[must_use]
     pub fn of_content(head: &[u8]) -> Option<Self> {
-        const MAGIC: [(&[u8], ForeignFormat); 10] = [
+        const MAGIC: [(&[u8], ForeignFormat); 12] = [
             (b"ARROW1", ForeignFormat::Arrow),
             (b"glTF", ForeignFormat::Gltf),
+            (b"ply\n", ForeignFormat::Ply),
+            (b"ply\r", ForeignFormat::Ply),
             (b"PK\x03\x04", ForeignFormat::Zip),
             (b"PK\x05\x06", ForeignFormat::Zip),
             (b"\x1F\x8B", ForeignFormat::Gzip),
@@ -135,6 +139,8 @@ impl ForeignFormat {
         match self {
             Self::Zip | Self::Gzip | Self::Bzip2 | Self::Xz | Self::Zstd => "unpack it first",
             Self::Gltf => "export it as OBJ, PLY or STL",
+            Self::Ply if cfg!(feature = "ply") => "a mesh is audited, by `twinedge audit FILE`",
+            Self::Ply => "the feature `ply` of twinedge-formats is off (the program has it with `--features full`)",
             Self::Html => "download the data file that the page links to",
             Self::Utf16 => "convert it with `iconv -f UTF-16 -t UTF-8 FILE`",
             Self::OsmPbf => "only the boundaries in it are, by `twinedge audit FILE --boundaries admin_level=6`",
@@ -147,6 +153,7 @@ impl fmt::Display for ForeignFormat {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Sqlite => "a SQLite database",
+            Self::Ply => "a mesh in PLY",
             Self::Arrow => "Arrow",
             Self::OsmPbf => "OpenStreetMap data (PBF)",
             Self::EsriJson => "Esri JSON",

@@ -1,6 +1,6 @@
 //! Tables of integers in Parquet, without compression: 64-bit integers as differences (`DELTA_BINARY_PACKED`), which makes links small.
 
-use super::WriteError;
+use super::{Format, WriteError};
 use std::path::Path;
 
 /// A column of a table of integers, from the first row to the last.
@@ -29,13 +29,20 @@ pub fn write_integers(
     columns: &mut [IntegerColumn<'_>],
     metadata: &[(&str, &str)],
 ) -> Result<(), WriteError> {
+    writes_integers()?;
     #[cfg(feature = "geoparquet")]
-    return in_parquet::write(path, name, columns, metadata).map_err(|error| std::io::Error::other(error).into());
+    in_parquet::write(path, name, columns, metadata).map_err(std::io::Error::other)?;
     #[cfg(not(feature = "geoparquet"))]
-    {
-        let _ = (path, name, columns, metadata);
-        Err(WriteError::FeatureOff(super::Format::GeoParquet))
-    }
+    let _ = (path, name, columns, metadata);
+    Ok(())
+}
+
+/// Succeeds if this build writes tables of integers: to ask before a folder is cleared for them. O(1).
+///
+/// # Errors
+/// [`WriteError::FeatureOff`] without the feature `geoparquet`.
+pub const fn writes_integers() -> Result<(), WriteError> {
+    if cfg!(feature = "geoparquet") { Ok(()) } else { Err(WriteError::FeatureOff(Format::GeoParquet)) }
 }
 
 #[cfg(feature = "geoparquet")]

@@ -98,7 +98,7 @@ pub use geojson_edit::{Edit, edited, edits};
 #[cfg(feature = "geojson")]
 pub use geojson_file::{FileError, GeoJsonFile};
 pub use indexed::{Amount, Indexed};
-pub use integers::{IntegerColumn, write_integers};
+pub use integers::{IntegerColumn, write_integers, writes_integers};
 pub use loss::Loss;
 pub use losses::losses;
 pub use model::{

@@ -38,6 +38,7 @@ pub fn files(path: &Path, format: Format) -> Vec<PathBuf> {
 /// # Errors
 /// [`WriteError`]. The file may then exist in part.
 pub fn write_path(layer: &Layer, path: &Path, format: Format) -> Result<(), WriteError> {
+    has_writer(format)?;
     let layer = &*closed(layer);
     match format {
         Format::TopoJson => Err(WriteError::ReadOnly(format)),
@@ -90,6 +91,7 @@ pub fn write_files(layer: &Layer, path: &Path, format: Format) -> Result<Files, 
 /// # Ok::<_, twinedge_formats::layer::WriteError>(())
 /// ```
 pub fn write(layer: &Layer, out: &mut dyn Write, format: Format) -> Result<(), WriteError> {
+    has_writer(format)?;
     let layer = &*closed(layer);
     match format {
         #[cfg(feature = "geojson")]
@@ -103,11 +105,24 @@ pub fn write(layer: &Layer, out: &mut dyn Write, format: Format) -> Result<(), W
         #[cfg(feature = "flatgeobuf")]
         Format::FlatGeobuf => super::flatgeobuf::write(layer, out),
         Format::TopoJson => Err(WriteError::ReadOnly(format)),
-        format if format.needs_file() => Err(WriteError::NeedsFile(format)),
-        #[allow(unreachable_patterns, reason = "with all features on, nothing is left")]
-        off => {
+        format => {
             let _ = (layer, out);
-            Err(WriteError::FeatureOff(off))
+            Err(WriteError::NeedsFile(format))
         }
     }
+}
+
+/// Refuses a format whose feature is off, before anything is written.
+const fn has_writer(format: Format) -> Result<(), WriteError> {
+    let is_on = match format {
+        Format::GeoJson | Format::GeoJsonSeq => cfg!(feature = "geojson"),
+        Format::Wkt => cfg!(feature = "wkt"),
+        Format::Wkb => cfg!(feature = "wkb"),
+        Format::FlatGeobuf => cfg!(feature = "flatgeobuf"),
+        Format::Shapefile => cfg!(feature = "shapefile"),
+        Format::GeoPackage => cfg!(feature = "geopackage"),
+        Format::GeoParquet => cfg!(feature = "geoparquet"),
+        Format::TopoJson => true,
+    };
+    if is_on { Ok(()) } else { Err(WriteError::FeatureOff(format)) }
 }

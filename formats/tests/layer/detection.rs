@@ -1,7 +1,10 @@
 //! Detecting the format of a file.
 
 use crate::support::{from_bytes, from_text, scratch, write_as};
-use twinedge_formats::layer::{Format, ReadError, ReadOptions, Shape, read, read_path};
+use twinedge_formats::io::ForeignFormat;
+use twinedge_formats::layer::{
+    ArchiveError, Format, ReadError, ReadOptions, Shape, WriteError, format_of, read, read_path,
+};
 
 #[test]
 fn content_tells_the_format_of_a_stream() {
@@ -16,6 +19,25 @@ fn content_tells_the_format_of_a_stream() {
     assert!(
         matches!(&point.features[0].geometry.as_ref().unwrap().shape, Shape::Point(Some(p)) if (p.x, p.y) == (1.0, 2.0))
     );
+}
+
+#[test]
+fn a_missing_feature_is_named_with_the_flag_of_the_program() {
+    let read = ReadError::FeatureOff(Format::GeoPackage).to_string();
+    let written = WriteError::FeatureOff(Format::GeoParquet).to_string();
+    let archive = ArchiveError::FeatureOff.to_string();
+    for (error, feature) in [(read, "geopackage"), (written, "geoparquet"), (archive, "archive")] {
+        let named = format!("the feature `{feature}` of twinedge-formats, which is off");
+        assert!(error.contains(&named) && error.contains("--features full"), "{error}");
+    }
+}
+
+#[test]
+fn a_mesh_in_ply_is_no_map() {
+    for head in ["ply\n", "ply\r\n"] {
+        let found = format_of(head.as_bytes(), None, &ReadOptions::default());
+        assert!(matches!(found, Err(ReadError::Foreign(ForeignFormat::Ply))), "{found:?}");
+    }
 }
 
 #[test]

@@ -12,7 +12,7 @@ use crate::status::Failure;
 use std::fmt::Write as _;
 use std::path::Path;
 use tables::{NAMES, Table, tables};
-use twinedge_formats::layer::{IntegerColumn, write_integers};
+use twinedge_formats::layer::{IntegerColumn, write_integers, writes_integers};
 
 /// An engine for which `check.sql` is written.
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
@@ -35,6 +35,14 @@ const FILE: &str = "check.sql";
 pub(super) fn file_names() -> impl Iterator<Item = String> {
     let of_tables = NAMES.into_iter().flat_map(|name| [format!("{name}.parquet"), format!("{name}.csv")]);
     of_tables.chain([FILE.to_owned()])
+}
+
+/// Refuses an engine whose tables this build does not write.
+pub(super) fn check(engine: Engine) -> Result<(), Failure> {
+    match engine {
+        Engine::Postgres => Ok(()),
+        Engine::Duckdb | Engine::Spark => Ok(writes_integers()?),
+    }
 }
 
 pub(super) fn write(folder: &Path, claim: &Claim, notes: &Notes, engine: Engine) -> Result<(), Failure> {
