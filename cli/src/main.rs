@@ -1,20 +1,16 @@
-//! The `twinedge` program: builds and audits planar maps, and tests the structures that store them.
+//! The `twinedge` program: audits, cleans, converts, certifies, queries and draws planar maps.
 //!
-//! This crate handles arguments, text, JSON, progress bars and Ctrl-C. The tests are in the crate `twinedge-trials`.
+//! This crate handles arguments, text, JSON, progress bars and Ctrl-C.
 
 mod audit;
 mod certificate;
 mod clean;
 mod convert;
-mod corrupt;
 mod coverage_arguments;
 mod decompose;
 mod diff;
-mod document;
 mod draw;
-mod effort;
 mod extension;
-mod fuzz_template;
 mod input;
 mod measured;
 mod on_disk;
@@ -22,21 +18,9 @@ mod output;
 mod output_file;
 mod overlay;
 mod postgis;
-mod print_rows;
-mod print_tables;
 mod progress;
-mod prove;
-mod prove_meshes;
 mod query;
-mod replay;
-mod replay_map;
-mod sample;
-mod soak;
 mod status;
-mod structures;
-mod sum;
-mod tables;
-mod tables_lazy;
 mod tile;
 mod voronoi;
 
@@ -45,7 +29,7 @@ use clap_complete::Shell;
 use status::{Failure, Verdict};
 use std::process::ExitCode;
 
-/// Audits planar maps and meshes, and tests the structures that keep them.
+/// Audits, cleans, converts, certifies, queries and draws planar maps and meshes.
 #[derive(Debug, Parser)]
 #[command(name = "twinedge", version, propagate_version = true, arg_required_else_help = true)]
 #[command(after_help = "Examples:
@@ -56,7 +40,6 @@ use std::process::ExitCode;
   twinedge overlay soils.gpkg parcels.gpkg -o pieces.gpkg
   twinedge query neighbours Switzerland
   twinedge draw -o world.svg
-  twinedge prove
 
 Exit status: 0 all is well; 1 something is wrong with what was examined; 2 the input could not be read, or the command was \
 misused; 130 interrupted (Ctrl-C).")]
@@ -81,6 +64,7 @@ enum Command {
     Certify(certificate::Certify),
     Check(certificate::Check),
     Tile(tile::Tile),
+    Sum(tile::Sum),
     Convert(convert::Convert),
     Overlay(overlay::Overlay),
     Postgis(postgis::Postgis),
@@ -88,14 +72,6 @@ enum Command {
     Draw(draw::Draw),
     Decompose(decompose::Decompose),
     Voronoi(voronoi::MakeVoronoi),
-    Prove(prove::Prove),
-    Corrupt(corrupt::Corrupt),
-    Tables(tables::Tables),
-    Sample(sample::Sample),
-    Soak(soak::Soak),
-    Replay(replay::Replay),
-    FuzzTemplate(fuzz_template::FuzzTemplate),
-    Sum(sum::Sum),
     /// Print the completions for a shell.
     #[command(after_help = "Examples:
   source <(twinedge completions bash)
@@ -126,6 +102,7 @@ fn run(command: Command) -> Result<Verdict, Failure> {
         Command::Certify(certify) => certify.run(),
         Command::Check(check) => check.run(),
         Command::Tile(tile) => tile.run(),
+        Command::Sum(sum) => sum.run(),
         Command::Convert(convert) => convert.run(),
         Command::Overlay(overlay) => overlay.run(),
         Command::Postgis(postgis) => postgis.run(),
@@ -133,14 +110,6 @@ fn run(command: Command) -> Result<Verdict, Failure> {
         Command::Draw(draw) => draw.run(),
         Command::Decompose(decompose) => decompose.run(),
         Command::Voronoi(voronoi) => voronoi.run(),
-        Command::Prove(prove) => prove.run(),
-        Command::Corrupt(corrupt) => corrupt.run(),
-        Command::Tables(tables) => tables.run(),
-        Command::Sample(sample) => sample.run(),
-        Command::Soak(soak) => soak.run(),
-        Command::Replay(replay) => replay.run(),
-        Command::FuzzTemplate(template) => template.run(),
-        Command::Sum(sum) => sum.run(),
         Command::Completions { shell } => {
             let mut script = Vec::new();
             clap_complete::generate(shell, &mut Arguments::command(), "twinedge", &mut script);

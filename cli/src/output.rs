@@ -4,7 +4,6 @@ use clap::{ColorChoice, ValueEnum};
 use std::io::{self, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
 pub(crate) use twinedge_report::words::{counted, grouped, json, measure, plain, style};
-use twinedge_trials::Shard;
 
 /// The output format.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -30,20 +29,6 @@ pub(crate) fn set_color(choice: ColorChoice) {
         ColorChoice::Never => anstream::ColorChoice::Never,
     }
     .write_global();
-}
-
-/// Formats a number that should be 0, marked if it is not.
-pub(crate) fn zero(found: u64) -> String {
-    use style::BAD;
-    if found == 0 { "0".to_owned() } else { format!("{BAD}{}{BAD:#}", grouped(found)) }
-}
-
-/// A line with the part of the work that was done; empty if all was done.
-pub(crate) fn part_line(shard: Shard) -> String {
-    if shard.is_whole() {
-        return String::new();
-    }
-    format!("Part {shard}, counted from 0; `twinedge sum` adds up the JSON output of all parts\n\n")
 }
 
 /// Prints to standard output. A closed pipe (`… | head`) is not an error.

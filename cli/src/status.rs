@@ -7,7 +7,6 @@ use twinedge_report::words::plain;
 pub(crate) enum Verdict {
     Sound,
     Wrong,
-    Interrupted,
 }
 
 /// The reason why a command failed, in one line for standard error.
@@ -30,7 +29,6 @@ impl Verdict {
         match self {
             Self::Sound => 0,
             Self::Wrong => 1,
-            Self::Interrupted => 130,
         }
     }
 }

@@ -1,4 +1,4 @@
-//! The project written by `twinedge fuzz-template` builds, runs, and finds a planted bug.
+//! The project written by `twinedge-trials fuzz-template` builds, runs, and finds a planted bug.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -25,15 +25,15 @@ fn template(folder: &Path, subject: &str) {
     let root = root();
     let _ = fs::remove_dir_all(folder);
     fs::create_dir_all(folder.join("src")).expect("a folder of the test's own");
-    let trials = root.join("trials");
+    let trials = root.join("crates/trials");
     let manifest = format!(
-        "[package]\nname = \"mesh\"\nversion = \"0.0.0\"\nedition = \"2024\"\n\n[dependencies]\ntwinedge-trials = {{ path = \"{}\" }}\n",
+        "[package]\nname = \"mesh\"\nversion = \"0.0.0\"\nedition = \"2024\"\n\n[dependencies]\ntwinedge-trials = {{ path = \"{}\", default-features = false }}\n",
         trials.display()
     );
     fs::write(folder.join("Cargo.toml"), manifest).expect("it is written");
     fs::write(folder.join("src/lib.rs"), "pub use twinedge_trials::planted::Planted;\n").expect("it is written");
-    // TWINEDGE names a program that is already built.
-    let mut program = if let Some(path) = std::env::var_os("TWINEDGE") {
+    // TRIALS names a program that is already built.
+    let mut program = if let Some(path) = std::env::var_os("TRIALS") {
         Command::new(path)
     } else {
         let mut cargo = Command::new(env!("CARGO"));
@@ -42,7 +42,7 @@ fn template(folder: &Path, subject: &str) {
             "run",
             "--quiet",
             "-p",
-            "twinedge-cli",
+            "twinedge-trials",
             "--",
         ]);
         cargo

@@ -119,7 +119,7 @@ static COMMANDS_RUN: Mutex<()> = Mutex::new(());
 /// The folder of the proved checker of certificates, if it is built.
 const PROVED: &str = "proofs/coq";
 
-/// The checks of the program `twinedge`.
+/// The checks of the program `twinedge-trials`.
 const COMMANDS: [(&str, &[&str]); 10] = [
     ("corrupt", &["corrupt", "--edges", "2", "--pairs", "1000", "--seed", "1", "--threads", "1"]),
     (
@@ -307,7 +307,7 @@ fn built(copy: &Path, build: &Path, is_built: impl Fn(&str) -> bool) -> Result<V
     let commands: Vec<_> = COMMANDS.iter().filter(|(name, _)| is_built(name)).collect();
     let tests: Vec<_> = TESTS.iter().filter(|(name, _)| is_built(name)).collect();
     // The tests of the program need it.
-    let program = (!commands.is_empty()).then_some(("twinedge-cli", "--test=commands", ""));
+    let program = (!commands.is_empty()).then_some(("twinedge-trials", "--test=program", ""));
     let chosen = tests.iter().map(|(_, test)| *test).chain(program);
     // Each once: cargo takes no option twice.
     let (packages, options): (BTreeSet<_>, BTreeSet<_>) = chosen.map(|(package, option, _)| (package, option)).unzip();
@@ -341,7 +341,7 @@ fn built(copy: &Path, build: &Path, is_built: impl Fn(&str) -> bool) -> Result<V
             checks.push(Check { name: format!("{name} {module}"), program: program.clone(), arguments, takes: LIMIT });
         }
     }
-    let program = build.join("release/twinedge");
+    let program = build.join("release/twinedge-trials");
     for (name, arguments) in commands {
         let arguments = arguments.iter().map(|argument| (*argument).to_owned()).collect();
         checks.push(Check { name: (*name).to_owned(), program: program.clone(), arguments, takes: LIMIT });

@@ -16,7 +16,7 @@ use twinedge_trials::enumerate::for_each_corruption;
 use twinedge_trials::forms::{forms, projections};
 use twinedge_trials::sample::SampleWork;
 use twinedge_trials::tables::TablesWork;
-use twinedge_trials::{FastPath, Outcome, RawPointers, Run, Structure, corrupt, sample, tables};
+use twinedge_trials::{FastPath, RawPointers, Run, Structure, corrupt, sample, tables};
 
 const PLANE: Expectation = Expectation::plane();
 

@@ -23,7 +23,7 @@ use twinedge_report::{Accepted, Edges, Options, ParentColumn};
 ///
 /// The arcs of TopoJSON are edges that polygons share. `--arcs` judges them as they are, and names them by their numbers.
 ///
-/// A file of tables is judged line by line instead. `twinedge tables --print` and `twinedge corrupt --print` write such files.
+/// A file of tables is judged line by line instead. `twinedge-trials tables --print` and `twinedge-trials corrupt --print` write such files.
 /// Each line is one structure as plain tables, in the text form of `twinedge::validate::Table`; a verdict may follow, `= ok` or
 /// the first broken rule, as in `= R1`, and is compared with the validator's. The line `# expect: plane without prev`, or
 /// `# expect: surface open asking closed genus 0 sides 3`, is the expectation of the tables below it; other lines that begin with `#` are comments.
@@ -41,7 +41,7 @@ use twinedge_report::{Accepted, Edges, Options, ParentColumn};
   twinedge audit --arcs counties.topojson --layer counties
   twinedge audit luxembourg.osm.pbf --boundaries boundary=administrative,admin_level=6
   twinedge postgis --sql city_data | psql -X mydatabase | twinedge audit --postgis -
-  twinedge tables --half-edges 2 --print | twinedge audit -
+  twinedge-trials tables --half-edges 2 --print | twinedge audit -
   twinedge audit examples/tables/five_faces.txt
 
 Exit status: 0 the map or mesh is valid, or all tables are valid and all verdicts agree; 1 something is invalid (a file of tables that are wrong on purpose, even if its verdicts agree), or a verdict differs; 2 the input could not be read.")]

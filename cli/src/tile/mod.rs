@@ -1,6 +1,9 @@
-//! `twinedge tile`: the summary of one tile of a map.
+//! `twinedge tile`: the summary of one tile of a map. `twinedge sum` merges summaries.
 
 mod made;
+mod sum;
+
+pub(crate) use sum::Sum;
 
 use crate::coverage_arguments::LimitArguments;
 use crate::input::MapFile;
@@ -67,23 +70,23 @@ pub(crate) struct Tile {
 
 /// The file of a summary.
 #[derive(Serialize, Deserialize)]
-pub(crate) struct Saved {
-    pub(crate) command: String,
-    pub(crate) version: String,
+struct Saved {
+    command: String,
+    version: String,
     /// The coordinate reference system, unless it is longitude and latitude on WGS 84.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub(crate) crs: Option<String>,
-    pub(crate) summary: Summary,
+    crs: Option<String>,
+    summary: Summary,
     /// The summary of the tile with its edges cut; `None` if the map needs no cuts, or too many.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub(crate) cut: Option<Summary>,
+    cut: Option<Summary>,
 }
 
 impl Saved {
-    pub(crate) const COMMAND: &'static str = "tile";
+    const COMMAND: &'static str = "tile";
 
     /// Returns the file with these summaries. `crs` names a reference system other than longitude and latitude.
-    pub(crate) fn bytes(crs: Option<String>, summary: Summary, cut: Option<Summary>) -> Result<Vec<u8>, Failure> {
+    fn bytes(crs: Option<String>, summary: Summary, cut: Option<Summary>) -> Result<Vec<u8>, Failure> {
         let (command, version) = (Self::COMMAND.to_owned(), env!("CARGO_PKG_VERSION").to_owned());
         let mut bytes = serde_json::to_vec(&Self { command, version, crs, summary, cut })?;
         bytes.push(b'\n');

@@ -5,7 +5,7 @@ use crate::support::twinedge;
 /// Returns this command and its subcommands, as listed by `--help`.
 fn commands(command: &[String]) -> Vec<Vec<String>> {
     let mut all = vec![command.to_vec()];
-    let text = help(command);
+    let text = help(&command);
     let listed = text.split_once("Commands:\n").map_or("", |(_, commands)| commands);
     let listed = listed.lines().take_while(|line| !line.is_empty()).filter_map(|line| line.split_whitespace().next());
     for below in listed.filter(|below| *below != "help") {
@@ -25,6 +25,8 @@ fn help<S: AsRef<str>>(command: &[S]) -> String {
 fn every_command_has_examples_and_tells_its_exit_status() {
     let commands = commands(&[]);
     assert!(commands.len() > 15, "{commands:?}");
+    // One screen.
+    assert!(help(&[""; 0]).lines().count() <= 45);
     for command in commands {
         let text = help(&command);
         let (_, end) = text.split_once("Examples:\n").unwrap_or_else(|| panic!("{command:?}\n{text}"));
@@ -37,18 +39,8 @@ fn every_command_has_examples_and_tells_its_exit_status() {
 
 #[test]
 fn options_say_what_they_do() {
-    for (command, told) in [
-        (&["prove"][..], "Output format"),
-        (&["prove"], "Run even if the estimate exceeds 30 minutes"),
-        (&["prove"], "Disconnected maps: up to min(N - 1, 4) edges, and two more vertices"),
-        (&["prove"], "plus one stale key of each kind"),
-        (&["tables"], "Do part K of N of the same work, counted from 0"),
-        (&["audit"], "OBJ, OFF, PLY, STL"),
-        (&["audit"], "SIZE is the width of its cells"),
-        (&["corrupt"], "Work that is drawn at random needs --seed"),
-        (&["corrupt"], "Print each table and the verdict of the validator"),
-    ] {
-        let text = help(command).split_whitespace().collect::<Vec<_>>().join(" ");
+    for (command, told) in [(["audit"], "OBJ, OFF, PLY, STL"), (["audit"], "SIZE is the width of its cells")] {
+        let text = help(&command).split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(text.contains(told), "{command:?}: {told}\n{text}");
     }
 }

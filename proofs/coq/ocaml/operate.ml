@@ -3,7 +3,7 @@
      operate < steps
 
    A line: the operator with its arguments, the table before, and the table after, with semicolons between them, as
-   trials/examples/steps.rs prints it.
+   crates/trials/examples/steps.rs prints it.
 
      connect v0 v1 left = h0 ; V 2 - 0 - 1 H 0 B 2 0 v0 i0 0 v1 i1 F 1 - 2 0 1 ; V 2 0 - 1 - H 2 0 1 1 1 1 1 0 0 0 1 B 2 x 0 h0 i0 F 1 - 1 1
 

@@ -14,7 +14,7 @@ use twinedge_trials::enumerate::for_each_corruption;
 use twinedge_trials::forms::{Form, forms, projected};
 use twinedge_trials::sample::SampleWork;
 use twinedge_trials::tables::TablesWork;
-use twinedge_trials::{Certificates, Outcome, RawPointers, Run, Structure, corrupt, sample, tables};
+use twinedge_trials::{Certificates, RawPointers, Run, Structure, corrupt, sample, tables};
 
 const PLANE: Expectation = Expectation::plane();
 
