@@ -2,9 +2,8 @@
 
 use crate::input::LayerFile;
 use crate::output::style::BAD;
-use crate::output::{counted, plain, print, print_bytes};
+use crate::output::{Failure, Verdict, counted, named, plain, print, print_bytes};
 use crate::output_file::{write_file, write_files};
-use crate::status::{Failure, Verdict, named};
 use same_file::is_same_file;
 use std::borrow::Cow;
 use std::fs::File;

@@ -1,8 +1,9 @@
-//! The options for judging a coverage.
+//! The options for judging a coverage, and for measures along the earth.
 
+use crate::output::{Failure, named};
 use twinedge_coverage::Limits;
 use twinedge_geometry::Point;
-use twinedge_report::CoverageOptions;
+use twinedge_report::{CoverageOptions, Imported, Units};
 
 /// The options by which a coverage is judged.
 #[derive(Debug, clap::Args)]
@@ -88,5 +89,25 @@ impl LimitArguments {
             sliver_area: self.sliver,
             ..Limits::default()
         }
+    }
+}
+
+/// The measure of lengths and areas.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Measured {
+    /// Lengths in metres along geodesics and areas in square metres, on the ellipsoid WGS 84; of areas, the borders are straight in the coordinates. Only
+    /// for longitudes and latitudes in degrees.
+    #[arg(long)]
+    geodesic: bool,
+}
+
+impl Measured {
+    /// Returns true if lengths and areas are measured along the earth.
+    pub(crate) const fn is_geodesic(&self) -> bool {
+        self.geodesic
+    }
+
+    pub(crate) fn units(&self, imported: &Imported) -> Result<Units, Failure> {
+        Units::of(imported, self.geodesic).map_err(named(&imported.name))
     }
 }

@@ -1,8 +1,7 @@
 //! `twinedge diff`: the differences between two reports.
 
 use crate::output::style::{BAD, GOOD, QUIET};
-use crate::output::{Format, grouped, plain, print, print_json};
-use crate::status::{Failure, Verdict, named};
+use crate::output::{Failure, Format, Verdict, grouped, named, plain, print, print_json};
 use serde_json::Value;
 use std::fmt::Write as _;
 use std::fs::File;

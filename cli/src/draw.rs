@@ -1,11 +1,9 @@
 //! `twinedge draw`: a picture of a map.
 
-use crate::extension::format_of;
 use crate::input::MapFile;
 use crate::output::style::BAD;
-use crate::output::{grouped, print_answer};
-use crate::output_file::write_file;
-use crate::status::{Failure, Verdict};
+use crate::output::{Failure, Verdict, grouped, print_answer};
+use crate::output_file::{format_of, write_file};
 use std::path::{Path, PathBuf};
 use twinedge::validate::{Collect, Expectation};
 use twinedge_formats::svg::{self, Options};

@@ -1,7 +1,7 @@
 //! Reading a map from a file or from standard input, or using the built-in map.
 
+use crate::output::{Failure, named};
 use crate::progress::busy;
-use crate::status::{Failure, named};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::fs::File;
 use std::io::{self, BufReader, Read as _};

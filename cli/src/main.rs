@@ -10,9 +10,7 @@ mod coverage_arguments;
 mod decompose;
 mod diff;
 mod draw;
-mod extension;
 mod input;
-mod measured;
 mod on_disk;
 mod output;
 mod output_file;
@@ -20,13 +18,12 @@ mod overlay;
 mod postgis;
 mod progress;
 mod query;
-mod status;
 mod tile;
 mod voronoi;
 
 use clap::{ColorChoice, CommandFactory as _, Parser, Subcommand};
 use clap_complete::Shell;
-use status::{Failure, Verdict};
+use output::{Failure, Verdict};
 use std::process::ExitCode;
 
 /// Audits, cleans, converts, certifies, queries and draws planar maps and meshes.

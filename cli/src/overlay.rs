@@ -2,8 +2,7 @@
 
 use crate::convert::LayerOutput;
 use crate::input::{LayerFile, read_file, snap};
-use crate::output::{counted, plain, print};
-use crate::status::{Failure, Verdict, named};
+use crate::output::{Failure, Verdict, counted, named, plain, print};
 use std::path::PathBuf;
 use twinedge_formats::layer::{Keep, overlay};
 use twinedge_geometry::noding::Snap;

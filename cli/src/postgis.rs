@@ -1,7 +1,6 @@
 //! `twinedge postgis`: the commands with which `psql` writes a topology.
 
-use crate::output::print_answer;
-use crate::status::{Failure, Verdict};
+use crate::output::{Failure, Verdict, print_answer};
 use twinedge_formats::postgis::sql;
 
 /// Print what `psql` needs to write a topology of PostGIS for `twinedge audit --postgis`.

@@ -1,6 +1,6 @@
 //! Progress bars on standard error, and Ctrl-C.
 
-use crate::status::Failure;
+use crate::output::Failure;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};

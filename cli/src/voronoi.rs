@@ -1,10 +1,8 @@
 //! `twinedge voronoi`: the cells of the points of a file.
 
-use crate::extension::format_of;
 use crate::input::LayerFile;
-use crate::output::{plain, print, print_answer};
-use crate::output_file::write_file;
-use crate::status::{Failure, Verdict};
+use crate::output::{Failure, Verdict, plain, print, print_answer};
+use crate::output_file::{format_of, write_file};
 use std::path::{Path, PathBuf};
 use twinedge_algorithm::voronoi::{Voronoi, VoronoiError, delaunay, voronoi, voronoi_merging};
 use twinedge_formats::svg::{self, Options};

@@ -2,9 +2,8 @@
 
 use super::destination;
 use super::mesh_options::MeshOptions;
-use crate::coverage_arguments::CoverageArguments;
+use crate::coverage_arguments::{CoverageArguments, Measured};
 use crate::input::MapFile;
-use crate::measured::Measured;
 use std::path::PathBuf;
 use twinedge_formats::layer::osm::TagFilter;
 use twinedge_report::{Accepted, Edges, Options, ParentColumn};

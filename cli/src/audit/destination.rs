@@ -1,12 +1,12 @@
 //! The format of a report, and its destination.
 
-use crate::extension::format_of;
-use crate::output::{print, print_bytes};
-use crate::output_file::write_file;
-use crate::status::Failure;
+use crate::output::style::BAD;
+use crate::output::{Failure, plain, print, print_bytes};
+use crate::output_file::{format_of, write_file};
 use anstream::adapter::strip_str;
 use clap::ValueEnum;
 use std::path::{Path, PathBuf};
+use twinedge_report::Audited;
 
 /// The format of a report.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -90,4 +90,26 @@ impl Destination<'_> {
     pub(super) const fn file(&self) -> Option<&Path> {
         self.path
     }
+}
+
+/// Writes an audit. Where a layer or a page goes to a file, a line for people says so.
+pub(super) fn write(audited: &Audited, to: &Destination<'_>) -> Result<(), Failure> {
+    match to.format {
+        ReportFormat::Text => to.text(&audited.text()?)?,
+        ReportFormat::Json => to.bytes(&audited.json()?)?,
+        ReportFormat::Geojson => {
+            let (layer, warnings) = audited.findings()?;
+            for warning in warnings {
+                anstream::eprintln!("{BAD}warning{BAD:#}: {warning}");
+            }
+            to.bytes(&layer)?;
+        }
+        ReportFormat::Sarif => to.bytes(&audited.sarif()?)?,
+        ReportFormat::Junit => to.bytes(audited.junit()?.as_bytes())?,
+        ReportFormat::Html => to.bytes(audited.page()?.as_bytes())?,
+    }
+    if let (ReportFormat::Geojson | ReportFormat::Html, Some(file)) = (to.format, to.file()) {
+        print(&format!("{} written to {}\n", audited.summary()?, plain(&file.display().to_string())))?;
+    }
+    Ok(())
 }

@@ -6,18 +6,16 @@ mod destination;
 mod mesh_options;
 mod options;
 mod timeout;
-mod write;
 
 pub(crate) use arguments::Audit;
 
 use crate::input::open;
 use crate::on_disk::shelf_for;
-use crate::output::plain;
+use crate::output::{Failure, Verdict, named, plain};
 use crate::output_file::write_file;
 use crate::progress::busy;
-use crate::status::{Failure, Verdict, named};
 use by_index::shelf_of;
-use destination::ReportFormat;
+use destination::{ReportFormat, write};
 use std::fs::{File, Metadata};
 use std::io::BufReader;
 use std::path::Path;
@@ -29,7 +27,6 @@ use twinedge_report::{
     Accepted, Audited, Counted, Division, Input, InputKind, Judged, OfReader, Options, audit, audit_against,
     audit_in_tiles, audit_layer,
 };
-use write::write;
 
 impl Audit {
     pub(crate) fn run(&self) -> Result<Verdict, Failure> {

@@ -2,7 +2,7 @@
 
 use super::arguments::Audit;
 use super::destination::{Destination, ReportFormat};
-use crate::status::{Failure, named};
+use crate::output::{Failure, named};
 use twinedge_report::{Input, InputKind};
 
 /// Options that only some kinds of input accept.

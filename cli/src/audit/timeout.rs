@@ -1,6 +1,6 @@
 //! A time limit for long work.
 
-use crate::status::{Failure, Verdict, named};
+use crate::output::{Failure, Verdict, named};
 use std::sync::Mutex;
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::Duration;

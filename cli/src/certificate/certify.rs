@@ -1,15 +1,13 @@
 //! `twinedge certify` writes a certificate.
 
 use super::check::lines;
-use super::folder::{Claim, Folder};
-use super::notes::Notes;
+use super::folder::{Claim, Folder, Notes};
 use super::output;
 use super::source::{self, LIST, Source};
 use super::sql::Engine;
 use crate::input::MapFile;
-use crate::output::{counted, print};
+use crate::output::{Failure, Verdict, counted, named, print};
 use crate::progress::busy;
-use crate::status::{Failure, Verdict, named};
 use std::path::PathBuf;
 use twinedge::validate::{Collect, Expectation, View, validate};
 use twinedge_certificate::{Certificate, Drawing, Labels, LabelsError, SurfaceCertificate, check};

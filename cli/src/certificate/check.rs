@@ -1,8 +1,7 @@
 //! `twinedge check` checks a certificate.
 
 use super::folder;
-use crate::output::print;
-use crate::status::{Failure, Verdict};
+use crate::output::{Failure, Verdict, print};
 use std::path::PathBuf;
 use twinedge_certificate::{Failure as FailedTest, Test};
 

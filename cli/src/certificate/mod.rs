@@ -3,7 +3,6 @@
 mod certify;
 mod check;
 mod folder;
-mod notes;
 mod output;
 mod paged;
 mod source;

@@ -1,9 +1,8 @@
 //! The output folder of a certificate.
 
-use super::folder::{self, CLAIM_FILE, Claim, write_file};
-use super::notes::Notes;
+use super::folder::{self, CLAIM_FILE, Claim, Notes, write_file};
 use super::sql::{self, Engine};
-use crate::status::Failure;
+use crate::output::Failure;
 use std::ffi::OsString;
 use std::path::Path;
 use std::{fs, io};

@@ -1,6 +1,6 @@
 //! The columns of a certificate, read from its folder page by page.
 
-use crate::status::Failure;
+use crate::output::Failure;
 use std::cell::{OnceCell, RefCell};
 use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom};

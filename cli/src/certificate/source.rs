@@ -1,6 +1,6 @@
 //! Structures that are certified without a map: meshes, topologies of PostGIS, and tables.
 
-use crate::status::{Failure, Verdict};
+use crate::output::{Failure, Verdict};
 use std::fmt::Display;
 use std::io::{BufRead, Read};
 use twinedge::validate::{Collect, Expectation, Surface, Table, View, validate};

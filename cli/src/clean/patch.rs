@@ -2,9 +2,8 @@
 
 use crate::convert::LayerOutput;
 use crate::input::LayerFile;
-use crate::output::{json, plain, print};
+use crate::output::{Failure, Verdict, json, named, plain, print};
 use crate::output_file::write_file;
-use crate::status::{Failure, Verdict, named};
 use same_file::is_same_file;
 use std::fs::File;
 use std::io::BufReader;

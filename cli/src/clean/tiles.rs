@@ -2,8 +2,8 @@
 
 use super::{Clean, GapWidth};
 use crate::on_disk::shelf_for;
+use crate::output::{Failure, Verdict, named};
 use crate::progress::busy;
-use crate::status::{Failure, Verdict, named};
 use std::time::Instant;
 use twinedge_formats::layer::{Feature, Format, GeoJsonFile};
 use twinedge_report::Division;

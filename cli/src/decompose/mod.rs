@@ -2,13 +2,11 @@
 
 mod steps;
 
-use crate::extension::format_of;
 use crate::input::MapFile;
 use crate::output::style::QUIET;
-use crate::output::{grouped, plain, print_answer};
-use crate::output_file::write_file;
+use crate::output::{Failure, Verdict, grouped, plain, print_answer};
+use crate::output_file::{format_of, write_file};
 use crate::query::{Source, find};
-use crate::status::{Failure, Verdict};
 use anstream::adapter::strip_str;
 use clap::ValueEnum;
 use serde::Serialize;

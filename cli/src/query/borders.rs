@@ -1,15 +1,13 @@
 //! `twinedge query … neighbours --all`: all pairs of neighbours, as a table.
 
 use super::list::{Limit, TableFormat, csv, greatest_first};
-use super::source::Source;
+use super::which::Source;
 use crate::output::style::QUIET;
-use crate::output::{measure, print_answer, print_json};
-use crate::status::Failure;
+use crate::output::{Failure, measure, print_answer, print_json};
 use clap::ValueEnum;
 use serde::Serialize;
 use std::fmt::Write as _;
-use twinedge_report::Units;
-use twinedge_report::{Border, borders};
+use twinedge_report::{Border, Units, borders};
 
 /// The order of a table of neighbours.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]

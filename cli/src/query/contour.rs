@@ -1,9 +1,7 @@
 //! `twinedge query … contour`.
 
-use super::source::Source;
-use super::which::Which;
-use crate::output::{grouped, measure, print_answer, print_json};
-use crate::status::Failure;
+use super::which::{Source, Which};
+use crate::output::{Failure, grouped, measure, print_answer, print_json};
 use clap::ValueEnum;
 use serde::Serialize;
 use twinedge_algorithm::contour::{Contour as Outline, of_feature};

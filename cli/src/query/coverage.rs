@@ -1,16 +1,14 @@
 //! `twinedge query … coverage`.
 
 use super::list::{Rows, csv, greatest_first};
-use crate::coverage_arguments::CoverageArguments;
-use crate::measured::Measured;
+use crate::coverage_arguments::{CoverageArguments, Measured};
+use crate::output::Failure;
 use crate::progress::busy;
-use crate::status::Failure;
 use clap::ValueEnum;
 use serde::Serialize;
 use twinedge_formats::diagnosis::{Diagnosis, Measures};
-use twinedge_report::Imported;
 use twinedge_report::diagnosis_text::write;
-use twinedge_report::{Coverage, row};
+use twinedge_report::{Coverage, Imported, row};
 
 /// Overlaps, gaps, near misses, slivers, duplicates, features that are not valid by the OGC, and mismatches: what breaks C1 … C7, as a table.
 ///

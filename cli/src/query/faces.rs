@@ -1,10 +1,9 @@
 //! `twinedge query … faces`.
 
 use super::list::{Limit, greatest_first};
-use super::source::Source;
+use super::which::Source;
 use crate::output::style::BAD;
-use crate::output::{Format, grouped, measure, print_answer, print_json};
-use crate::status::Failure;
+use crate::output::{Failure, Format, grouped, measure, print_answer, print_json};
 use clap::ValueEnum;
 use serde::Serialize;
 use std::collections::BTreeSet;

@@ -1,9 +1,8 @@
 //! `twinedge query … lattice`.
 
-use super::source::Source;
+use super::which::Source;
 use crate::output::style::{BAD, GOOD};
-use crate::output::{Format, grouped, print_answer, print_json};
-use crate::status::Failure;
+use crate::output::{Failure, Format, grouped, print_answer, print_json};
 use serde::Serialize;
 use std::fmt::Write as _;
 use twinedge_algorithm::lattice::of_map;

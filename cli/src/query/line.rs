@@ -1,9 +1,8 @@
 //! `twinedge query … line`.
 
-use super::record::Record;
-use super::source::Source;
-use crate::output::{Format, print_answer, print_json};
-use crate::status::Failure;
+use super::at::Record;
+use super::which::Source;
+use crate::output::{Failure, Format, print_answer, print_json};
 use clap::ValueEnum;
 use serde::Serialize;
 use twinedge_geometry::Point;

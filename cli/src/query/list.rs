@@ -1,8 +1,7 @@
 //! Tables that can be sorted and truncated.
 
 use crate::output::style::QUIET;
-use crate::output::{print_answer, print_json};
-use crate::status::Failure;
+use crate::output::{Failure, print_answer, print_json};
 use clap::ValueEnum;
 use serde::Serialize;
 use twinedge_report::Units;

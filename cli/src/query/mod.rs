@@ -8,20 +8,15 @@ mod faces;
 mod lattice;
 mod line;
 mod list;
-mod names;
 mod neighbours;
 mod overlay;
-mod record;
 mod route;
-mod source;
 mod which;
 
-pub(crate) use names::find;
-pub(crate) use source::Source;
+pub(crate) use which::{Source, find};
 
 use crate::input::MapFile;
-use crate::output::plain;
-use crate::status::{Failure, Verdict};
+use crate::output::{Failure, Verdict, plain};
 use clap::Subcommand;
 use twinedge_report::{Imported, Keep, Units};
 

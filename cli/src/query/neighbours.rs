@@ -2,12 +2,10 @@
 
 use super::borders::{SortBy, print_all};
 use super::list::{Limit, TableFormat};
-use super::source::Source;
-use super::which::Which;
-use crate::measured::Measured;
+use super::which::{Source, Which};
+use crate::coverage_arguments::Measured;
 use crate::output::style::{BAD, QUIET};
-use crate::output::{measure, print_answer, print_json};
-use crate::status::Failure;
+use crate::output::{Failure, measure, print_answer, print_json};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;

@@ -1,11 +1,10 @@
 //! `twinedge query … overlay`.
 
 use super::list::{Rows, csv, greatest_first};
+use crate::coverage_arguments::Measured;
 use crate::input::open;
-use crate::measured::Measured;
-use crate::output::{measure, plain};
+use crate::output::{Failure, measure, named, plain};
 use crate::progress::busy;
-use crate::status::{Failure, named};
 use clap::ValueEnum;
 use serde::Serialize;
 use std::fmt::Write as _;

@@ -1,9 +1,7 @@
 //! `twinedge query … route`.
 
-use super::names::find;
-use super::source::Source;
-use crate::output::{Format, measure, print_answer, print_json};
-use crate::status::Failure;
+use super::which::{Source, find};
+use crate::output::{Failure, Format, measure, print_answer, print_json};
 use clap::ValueEnum;
 use serde::Serialize;
 use twinedge_algorithm::dual;

@@ -7,8 +7,8 @@ pub(crate) use sum::Sum;
 
 use crate::coverage_arguments::LimitArguments;
 use crate::input::MapFile;
+use crate::output::{Failure, Verdict, named};
 use crate::output_file::write_file;
-use crate::status::{Failure, Verdict, named};
 use made::{Asked, Made, by_windows, of_whole};
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;

@@ -1,9 +1,8 @@
 //! `twinedge sum`: merges the summaries of tiles.
 
 use super::Saved;
-use crate::output::{Format, print, print_bytes};
+use crate::output::{Failure, Format, Verdict, named, print, print_bytes};
 use crate::output_file::write_file;
-use crate::status::{Failure, Verdict, named};
 use serde_json::Value;
 use std::collections::HashMap;
 use std::path::PathBuf;

@@ -1,7 +1,7 @@
 //! Ctrl-C.
 
 use crate::support::{data, scratch_folder};
-use std::process::{Child, Command, Stdio};
+use std::process::{Command, Stdio};
 
 #[test]
 fn no_unfinished_files_are_left_behind() {

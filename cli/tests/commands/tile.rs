@@ -157,6 +157,11 @@ fn the_sum_of_all_tiles_is_the_audit() {
     assert!(complaint(&missing).contains("1 tile is missing: (1,0)"));
     let missing = twinedge(&[&["sum"], &files[4..]].concat());
     assert!(complaint(&missing).contains("4 tiles are missing: (0,0), (1,0), (0,1) and (2,1)"));
+    let other = twinedge(&["sum", &file]);
+    assert!(other.status.code() == Some(2) && complaint(&other).contains("not a summary of a tile"));
+    let empty = folder.join("empty").to_str().unwrap().to_owned();
+    std::fs::write(&empty, "").unwrap();
+    assert!(complaint(&twinedge(&["sum", &empty])).contains("not a summary of a tile: EOF"));
     let twice = twinedge(&["sum", files[0], files[0]]);
     let told = complaint(&twice);
     assert!(told.contains(&format!("{0}: tile 1,0 is in {0}, too", files[0])), "{told}");

@@ -1,6 +1,8 @@
 //! Validators of tables under test, and their verdicts in the form of the reference.
 
 use crate::random::Random;
+use crate::rows::{MOST_FINDINGS, add_findings};
+use std::collections::BTreeMap;
 use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 use twinedge::validate::reference::first_broken_rule;
 use twinedge::validate::{Collect, Expectation, Parts, Report, Rule, Surface, Table, View, accepts, validate};
@@ -88,6 +90,52 @@ impl Checker for FastPath {
         let valid = accepts(table, expectation);
         let broken = Validator.check(table, expectation).broken.or(Some(Rule::R1));
         Verdict { valid, broken: broken.filter(|_| !valid) }
+    }
+}
+
+/// The verdicts of a validator on some tables, compared with the reference.
+#[derive(Default)]
+pub(crate) struct Judgement {
+    pub(crate) tables: u64,
+    /// The tables that the validator accepts.
+    pub(crate) accepted: u64,
+    /// For each rule, the number of tables that break it first, by the reference.
+    pub(crate) first_broken: BTreeMap<Rule, u64>,
+    pub(crate) disagreements: u64,
+    pub(crate) findings: Vec<String>,
+}
+
+impl Judgement {
+    pub(crate) fn compare(&mut self, table: &Table, expectation: &Expectation, checker: &dyn Checker) {
+        let verdict = checker.check(table, expectation);
+        let reference = first_broken_rule(table, expectation);
+        self.tables += 1;
+        self.accepted += u64::from(verdict.valid);
+        if let Some(rule) = reference {
+            *self.first_broken.entry(rule).or_default() += 1;
+        }
+        if !verdict.agrees(reference) {
+            self.disagreements += 1;
+            if self.findings.len() < MOST_FINDINGS {
+                let reference = in_words(reference);
+                self.findings.push(format!("{verdict} to the validator, {reference} to the reference:\n{table}"));
+            }
+        }
+        checker.checked(table, expectation, verdict);
+    }
+
+    pub(crate) fn sum(judgements: Vec<Self>) -> Self {
+        let mut sum = Self::default();
+        for judged in judgements {
+            sum.tables += judged.tables;
+            sum.accepted += judged.accepted;
+            for (rule, count) in judged.first_broken {
+                *sum.first_broken.entry(rule).or_default() += count;
+            }
+            sum.disagreements += judged.disagreements;
+            add_findings(&mut sum.findings, &judged.findings);
+        }
+        sum
     }
 }
 

@@ -3,12 +3,10 @@
 //! The tables are in Parquet, which stores columns separately and declares columns that are never NULL, or in CSV for `PostgreSQL`, which does not
 //! read Parquet.
 
-mod csv_file;
 mod tables;
 
-use super::folder::Claim;
-use super::notes::Notes;
-use crate::status::Failure;
+use super::folder::{Claim, Notes};
+use crate::output::Failure;
 use std::fmt::Write as _;
 use std::path::Path;
 use tables::{NAMES, Table, tables};
@@ -61,7 +59,7 @@ pub(super) fn write(folder: &Path, claim: &Claim, notes: &Notes, engine: Engine)
     }
     for mut table in tables {
         match engine {
-            Engine::Postgres => csv_file::write(folder, table)?,
+            Engine::Postgres => tables::write_csv(folder, table)?,
             Engine::Duckdb | Engine::Spark => {
                 let path = folder.join(format!("{}.parquet", table.name));
                 write_integers(&path, table.name, &mut table.columns, &metadata)?;

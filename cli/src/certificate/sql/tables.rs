@@ -1,6 +1,10 @@
 //! The tables of a certificate. Vacant slots have no rows, and nil is NULL.
 
 use crate::certificate::folder::{Claim, Folder};
+use crate::output::Failure;
+use std::fs::File;
+use std::io::{BufWriter, Write as _};
+use std::path::Path;
 use twinedge::validate::View;
 use twinedge_certificate::{Certificate, Column, Drawing, Labels, VACANT};
 use twinedge_formats::layer::IntegerColumn;
@@ -183,4 +187,19 @@ fn of<'a>(labels: &'a Labels, source: &Source, records: impl Iterator<Item = usi
     let numbers = labels.column(column);
     let value = move |i: usize| Some(numbers[i]).filter(|number| !is_nullable || *number != u32::MAX).map(i64::from);
     IntegerColumn { name, is_nullable, values: Box::new(records.map(value)) }
+}
+
+/// Writes a table in CSV; NULL is empty.
+pub(super) fn write_csv(folder: &Path, mut table: Table<'_>) -> Result<(), Failure> {
+    let mut file = BufWriter::new(File::create(folder.join(format!("{}.csv", table.name)))?);
+    let names: Vec<&str> = table.columns.iter().map(|column| column.name).collect();
+    writeln!(file, "{}", names.join(","))?;
+    loop {
+        let row: Option<Vec<_>> = table.columns.iter_mut().map(|column| column.values.next()).collect();
+        let Some(row) = row else { break };
+        let fields: Vec<String> = row.iter().map(|field| field.map_or_else(String::new, |n| n.to_string())).collect();
+        writeln!(file, "{}", fields.join(","))?;
+    }
+    file.flush()?;
+    Ok(())
 }

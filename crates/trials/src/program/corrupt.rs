@@ -13,8 +13,6 @@ use twinedge_trials::{Checker, Outcome, Run, Structure, StructureError, corrupt}
 
 /// Set every field of every small map to every value, and compare the validator with the reference.
 ///
-/// Fields are also exchanged.
-///
 /// The maps are all planar subdivisions of up to N edges and N + 1 vertices: of one component or several, nested, with isolated
 /// vertices. Each is judged in two forms: with records for its boundary components, and as textbook tables without them.
 ///

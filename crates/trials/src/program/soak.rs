@@ -28,7 +28,7 @@ use twinedge_trials::{Estimate, Outcome, soak};
 #[command(after_help = "Examples:
   twinedge-trials soak
   twinedge-trials soak --programs 100000 --steps 300 --seed 1
-  twinedge-trials soak --on pointers --on fixed
+  twinedge-trials soak --on pointers --on limited
   twinedge-trials soak --on planted              a structure with a bug, to see that it is found
   twinedge-trials soak --programs 100000 --seed 1 --shard 0/16 --format json > part-0.json
 

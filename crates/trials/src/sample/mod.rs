@@ -15,13 +15,11 @@ use crate::outcome::{Outcome, Results};
 use crate::random::Random;
 use crate::rows::{add_findings, add_rows};
 use crate::run::{Estimate, Run};
-use crate::verdict::{Checker, in_words};
+use crate::verdict::{Checker, Judgement};
 use damage::damage;
-use std::collections::BTreeMap;
 use subdivision::subdivision;
 use twinedge::dcel::Dcel;
 use twinedge::program::{Op, Program, Runner};
-use twinedge::validate::reference::first_broken_rule;
 use twinedge::validate::{Expectation, Rule, Table};
 
 /// Judges random tables by a validator and by the reference. O(1) for each table: it has at most about 40 edges.
@@ -46,64 +44,21 @@ pub fn sample(work: SampleWork, checker: &dyn Checker, run: &Run<'_>) -> Outcome
             if run.is_stopped() {
                 return;
             }
-            judged.compare(&table, checker);
+            judged.compare(&table, &Expectation::plane(), checker);
         }
     });
-    let mut all = Judgement::default();
-    for judged in &found {
-        all.add(judged);
-    }
+    let all = Judgement::sum(found);
     let rules = Rule::ALL.iter().filter(|rule| !rule.is_geometric() && !rule.is_optional());
     let results = SampleResults {
         judged: all.tables,
-        right: all.right,
-        first_broken: rules.map(|rule| RuleRow { rule: *rule, wrong: all.count(*rule) }).collect(),
+        right: all.tables - all.first_broken.values().sum::<u64>(),
+        first_broken: rules
+            .map(|rule| RuleRow { rule: *rule, wrong: all.first_broken.get(rule).copied().unwrap_or(0) })
+            .collect(),
         disagreements: all.disagreements,
         findings: all.findings,
     };
     Outcome::new(work, run, results)
-}
-
-#[derive(Default)]
-struct Judgement {
-    tables: u64,
-    right: u64,
-    first_broken: BTreeMap<Rule, u64>,
-    disagreements: u64,
-    findings: Vec<String>,
-}
-
-impl Judgement {
-    fn compare(&mut self, table: &Table, checker: &dyn Checker) {
-        let expectation = Expectation::plane();
-        let verdict = checker.check(table, &expectation);
-        let reference = first_broken_rule(table, &expectation);
-        self.tables += 1;
-        match reference {
-            Some(rule) => *self.first_broken.entry(rule).or_default() += 1,
-            None => self.right += 1,
-        }
-        if !verdict.agrees(reference) {
-            self.disagreements += 1;
-            let finding = format!("{verdict} to the validator, {} to the reference:\n{table}", in_words(reference));
-            add_findings(&mut self.findings, &[finding]);
-        }
-        checker.checked(table, &expectation, verdict);
-    }
-
-    fn count(&self, rule: Rule) -> u64 {
-        self.first_broken.get(&rule).copied().unwrap_or(0)
-    }
-
-    fn add(&mut self, other: &Self) {
-        self.tables += other.tables;
-        self.right += other.right;
-        for (rule, count) in &other.first_broken {
-            *self.first_broken.entry(*rule).or_default() += count;
-        }
-        self.disagreements += other.disagreements;
-        add_findings(&mut self.findings, &other.findings);
-    }
 }
 
 /// The results of [`sample()`](crate::sample()).

@@ -22,10 +22,8 @@ use crate::enumerate::{TableCells, for_each_assignment};
 use crate::outcome::{Outcome, Results};
 use crate::rows::{add_findings, add_rows, narrow, rows};
 use crate::run::{Estimate, Run};
-use crate::verdict::{Checker, in_words};
+use crate::verdict::{Checker, Judgement};
 use jobs::{Assignments, Job, jobs};
-use twinedge::validate::reference::first_broken_rule;
-use twinedge::validate::{Expectation, Table};
 
 /// Judges all tables of a few records by a validator and by the reference.
 ///
@@ -55,7 +53,7 @@ pub fn tables(work: TablesWork, checker: &dyn Checker, run: &Run<'_>) -> Outcome
         let (row, found) = judge(&job, &ours.collect::<Vec<_>>(), checker, run);
         piece = next;
         rows.push(row);
-        add_findings(&mut findings, found.as_slice());
+        add_findings(&mut findings, &found);
         if run.is_stopped() {
             break;
         }
@@ -63,15 +61,7 @@ pub fn tables(work: TablesWork, checker: &dyn Checker, run: &Run<'_>) -> Outcome
     Outcome::new(work, run, TablesResults { tables: rows, findings })
 }
 
-#[derive(Default)]
-struct Judgement {
-    tables: u64,
-    right: u64,
-    disagreements: u64,
-    finding: Option<String>,
-}
-
-fn judge(job: &Job, pieces: &[Assignments], checker: &dyn Checker, run: &Run<'_>) -> (TablesRow, Option<String>) {
+fn judge(job: &Job, pieces: &[Assignments], checker: &dyn Checker, run: &Run<'_>) -> (TablesRow, Vec<String>) {
     let stage = format!("{} half-edges: {}", job.half_edges, job.name);
     let found = run.each(&stage, pieces.len(), Judgement::default, |judged, number| {
         let piece = &pieces[number];
@@ -82,41 +72,25 @@ fn judge(job: &Job, pieces: &[Assignments], checker: &dyn Checker, run: &Run<'_>
             if job.derive_origins {
                 let mut table = table.clone();
                 table.derive_origins();
-                judged.compare(&table, job.expectation, checker);
+                judged.compare(&table, &job.expectation, checker);
             } else {
-                judged.compare(table, job.expectation, checker);
+                judged.compare(table, &job.expectation, checker);
             }
         });
     });
-    let sum = |count: fn(&Judgement) -> u64| found.iter().map(count).sum::<u64>();
-    let (all, judged) = (narrow(job.assignments.iter().map(Assignments::len).sum()), sum(|judged| judged.tables));
+    let judged = Judgement::sum(found);
+    let all = narrow(job.assignments.iter().map(Assignments::len).sum());
     let row = TablesRow {
         half_edges: job.half_edges,
         free: job.name.to_owned(),
         all,
-        judged,
-        right: sum(|judged| judged.right),
+        judged: judged.tables,
+        right: judged.accepted,
         right_by_formula: narrow(job.right),
-        disagreements: sum(|judged| judged.disagreements),
-        done: all == judged,
+        disagreements: judged.disagreements,
+        done: all == judged.tables,
     };
-    (row, found.into_iter().find_map(|judged| judged.finding))
-}
-
-impl Judgement {
-    fn compare(&mut self, table: &Table, expectation: Expectation, checker: &dyn Checker) {
-        let verdict = checker.check(table, &expectation);
-        let reference = first_broken_rule(table, &expectation);
-        self.tables += 1;
-        self.right += u64::from(verdict.valid);
-        if !verdict.agrees(reference) {
-            self.disagreements += 1;
-            self.finding.get_or_insert_with(|| {
-                format!("{verdict} to the validator, {} to the reference:\n{table:#?}", in_words(reference))
-            });
-        }
-        checker.checked(table, &expectation, verdict);
-    }
+    (row, judged.findings)
 }
 
 /// The results of [`tables()`](crate::tables()).
