@@ -5,7 +5,7 @@ use crate::support::twinedge;
 /// Returns this command and its subcommands, as listed by `--help`.
 fn commands(command: &[String]) -> Vec<Vec<String>> {
     let mut all = vec![command.to_vec()];
-    let text = help(&command);
+    let text = help(command);
     let listed = text.split_once("Commands:\n").map_or("", |(_, commands)| commands);
     let listed = listed.lines().take_while(|line| !line.is_empty()).filter_map(|line| line.split_whitespace().next());
     for below in listed.filter(|below| *below != "help") {
@@ -39,8 +39,6 @@ fn every_command_has_examples_and_tells_its_exit_status() {
 
 #[test]
 fn options_say_what_they_do() {
-    for (command, told) in [(["audit"], "OBJ, OFF, PLY, STL"), (["audit"], "SIZE is the width of its cells")] {
-        let text = help(&command).split_whitespace().collect::<Vec<_>>().join(" ");
-        assert!(text.contains(told), "{command:?}: {told}\n{text}");
-    }
+    let text = help(&["audit"]).split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(text.contains("OBJ, OFF, PLY, STL") && text.contains("SIZE is the width of its cells"), "{text}");
 }

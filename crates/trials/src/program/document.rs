@@ -78,10 +78,8 @@ impl<R: Printed> fmt::Display for Document<R> {
         }
         R::describe(outcome, f)?;
         let style = if *ok { GOOD } else { BAD };
-        let (verdict, rest) = match outcome.interrupted {
-            true => ("not finished".to_owned(), String::new()),
-            false => R::verdict(outcome, *ok),
-        };
+        let (verdict, rest) =
+            if outcome.interrupted { ("not finished".to_owned(), String::new()) } else { R::verdict(outcome, *ok) };
         writeln!(f, "{style}{verdict}{style:#}{rest} ({:.1} s)", elapsed_ms / 1000.0)
     }
 }

@@ -47,9 +47,9 @@ impl Judge {
         let print = |outcome: &Outcome<R>| {
             let document = Document::new(outcome.clone(), start.elapsed());
             if self.print {
-                printer.finish(&document.to_string())?
+                printer.finish(&document.to_string())?;
             } else {
-                effort.format.print(&document)?
+                effort.format.print(&document)?;
             }
             Ok(document.verdict())
         };
