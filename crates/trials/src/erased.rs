@@ -77,13 +77,7 @@ impl Subject for Erased {
 }
 
 impl Indexed for Erased {
-    fn vertex_index(&self, vertex: VertexKey) -> Option<usize> {
-        self.0.vertex_index(vertex)
-    }
-    fn half_edge_index(&self, half_edge: HalfEdgeKey) -> Option<usize> {
-        self.0.half_edge_index(half_edge)
-    }
-    fn face_index(&self, face: FaceKey) -> Option<usize> {
-        self.0.face_index(face)
+    fn index(&self, handle: HandleOf<Self>) -> Option<usize> {
+        self.0.index(handle)
     }
 }

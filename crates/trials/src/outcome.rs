@@ -100,6 +100,12 @@ impl<R: Results> DerefMut for Outcome<R> {
     }
 }
 
+/// Returns the number of faults and the first findings as reasons; empty without faults.
+pub(crate) fn faults<T: ToString>(what: &str, count: u64, findings: &[T]) -> Vec<String> {
+    let number = (count > 0).then(|| format!("{what}: {count}"));
+    number.into_iter().flat_map(|number| std::iter::once(number).chain(findings.iter().map(T::to_string))).collect()
+}
+
 /// A run found faults, or was not finished.
 #[derive(Clone, PartialEq, Eq, Error)]
 #[error("{}", .reasons.join("\n"))]

@@ -1,7 +1,7 @@
 //! Structures with a planted bug, to test that the engines find it.
 
 use crate::replay::Indexed;
-use twinedge::dcel::{Dcel, FaceKey, HalfEdgeKey, VertexKey};
+use twinedge::dcel::Dcel;
 use twinedge::program::{Call, CallOf, HandleOf, Refusal, Subject};
 use twinedge::validate::View;
 use twinedge::{delegate_subject, delegate_view};
@@ -46,13 +46,7 @@ impl<const PANICS: bool> Subject for Planted<PANICS> {
 }
 
 impl<const PANICS: bool> Indexed for Planted<PANICS> {
-    fn vertex_index(&self, vertex: VertexKey) -> Option<usize> {
-        self.0.vertex_index(vertex)
-    }
-    fn half_edge_index(&self, half_edge: HalfEdgeKey) -> Option<usize> {
-        self.0.half_edge_index(half_edge)
-    }
-    fn face_index(&self, face: FaceKey) -> Option<usize> {
-        self.0.face_index(face)
+    fn index(&self, handle: HandleOf<Self>) -> Option<usize> {
+        self.0.index(handle)
     }
 }

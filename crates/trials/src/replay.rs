@@ -4,7 +4,7 @@ use crate::structure::Structure;
 use crate::{RawPointers, ReportAudit};
 use twinedge::dcel::{Audited, Dcel};
 use twinedge::program::panics::catch;
-use twinedge::program::{Call, CallOf, Op, Program, Runner, StepOutcome, Subject};
+use twinedge::program::{Call, CallOf, Handle, HandleOf, Op, Program, Runner, StepOutcome, Subject};
 use twinedge::validate::{Collect, Link, Report, Table, View, validate};
 
 /// One executed operator of a program.
@@ -72,63 +72,44 @@ pub fn replay<K: Indexed>(structure: &Structure<K>, program: &Program) -> Vec<St
 }
 
 fn by_index<K: Indexed>(subject: &K, call: CallOf<K>) -> Call<Link, Link, Link> {
-    call.map(|v| subject.vertex_index(v), |h| subject.half_edge_index(h), |f| subject.face_index(f))
+    let index = |handle| subject.index(handle);
+    call.map(|v| index(Handle::Vertex(v)), |h| index(Handle::HalfEdge(h)), |f| index(Handle::Face(f)))
 }
 
 /// A structure with a [`View`] index for each handle.
 pub trait Indexed: Subject {
-    /// Returns the index of a vertex; `None` for a stale handle.
-    fn vertex_index(&self, vertex: Self::Vertex) -> Option<usize>;
-    /// Returns the index of a half-edge; `None` for a stale handle.
-    fn half_edge_index(&self, half_edge: Self::HalfEdge) -> Option<usize>;
-    /// Returns the index of a face; `None` for a stale handle.
-    fn face_index(&self, face: Self::Face) -> Option<usize>;
+    /// Returns the index of a record; `None` for a stale handle.
+    fn index(&self, handle: HandleOf<Self>) -> Option<usize>;
 }
 
 impl Indexed for Dcel {
-    fn vertex_index(&self, vertex: Self::Vertex) -> Option<usize> {
-        self.vertex(vertex).ok().map(|v| v.index())
-    }
-    fn half_edge_index(&self, half_edge: Self::HalfEdge) -> Option<usize> {
-        self.half_edge(half_edge).ok().map(|h| h.index())
-    }
-    fn face_index(&self, face: Self::Face) -> Option<usize> {
-        self.face(face).ok().map(|f| f.index())
+    fn index(&self, handle: HandleOf<Self>) -> Option<usize> {
+        match handle {
+            Handle::Vertex(vertex) => self.vertex(vertex).ok().map(|v| v.index()),
+            Handle::HalfEdge(half_edge) => self.half_edge(half_edge).ok().map(|h| h.index()),
+            Handle::Face(face) => self.face(face).ok().map(|f| f.index()),
+        }
     }
 }
 
 impl Indexed for ReportAudit {
-    fn vertex_index(&self, vertex: Self::Vertex) -> Option<usize> {
-        self.dcel().vertex_index(vertex)
-    }
-    fn half_edge_index(&self, half_edge: Self::HalfEdge) -> Option<usize> {
-        self.dcel().half_edge_index(half_edge)
-    }
-    fn face_index(&self, face: Self::Face) -> Option<usize> {
-        self.dcel().face_index(face)
+    fn index(&self, handle: HandleOf<Self>) -> Option<usize> {
+        self.dcel().index(handle)
     }
 }
 
 impl Indexed for Audited {
-    fn vertex_index(&self, vertex: Self::Vertex) -> Option<usize> {
-        self.get().vertex_index(vertex)
-    }
-    fn half_edge_index(&self, half_edge: Self::HalfEdge) -> Option<usize> {
-        self.get().half_edge_index(half_edge)
-    }
-    fn face_index(&self, face: Self::Face) -> Option<usize> {
-        self.get().face_index(face)
+    fn index(&self, handle: HandleOf<Self>) -> Option<usize> {
+        self.get().index(handle)
     }
 }
 
 impl Indexed for RawPointers {
-    fn vertex_index(&self, vertex: usize) -> Option<usize> {
-        self.is_vertex(vertex).then_some(vertex)
-    }
-    fn half_edge_index(&self, half_edge: usize) -> Option<usize> {
-        self.is_half_edge(half_edge).then_some(half_edge)
-    }
-    fn face_index(&self, face: usize) -> Option<usize> {
-        self.is_face(face).then_some(face)
+    fn index(&self, handle: HandleOf<Self>) -> Option<usize> {
+        match handle {
+            Handle::Vertex(vertex) => self.is_vertex(vertex).then_some(vertex),
+            Handle::HalfEdge(half_edge) => self.is_half_edge(half_edge).then_some(half_edge),
+            Handle::Face(face) => self.is_face(face).then_some(face),
+        }
     }
 }

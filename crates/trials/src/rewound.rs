@@ -145,13 +145,7 @@ impl Subject for Rewound {
 }
 
 impl Indexed for Rewound {
-    fn vertex_index(&self, vertex: VertexKey) -> Option<usize> {
-        self.dcel().vertex_index(vertex)
-    }
-    fn half_edge_index(&self, half_edge: HalfEdgeKey) -> Option<usize> {
-        self.dcel().half_edge_index(half_edge)
-    }
-    fn face_index(&self, face: FaceKey) -> Option<usize> {
-        self.dcel().face_index(face)
+    fn index(&self, handle: HandleOf<Self>) -> Option<usize> {
+        self.dcel().index(handle)
     }
 }

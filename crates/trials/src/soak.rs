@@ -199,7 +199,6 @@ impl Results for SoakResults {
 
     fn reasons(&self, _: &Self::Work, _: bool) -> Vec<String> {
         let mut reasons = Vec::new();
-
         if self.structures.is_empty() {
             reasons.push("no structure was given, so nothing was compared".to_owned());
         }

@@ -141,8 +141,6 @@ impl Results for CorruptResults {
     }
 
     fn reasons(&self, work: &Self::Work, is_complete: bool) -> Vec<String> {
-        let mut reasons = Vec::new();
-
         let counts = [
             ("maps that the structure did not make", self.unusable as u64),
             ("tables on which validator and reference differ", self.tallies().map(Tally::disagreements).sum()),
@@ -150,7 +148,7 @@ impl Results for CorruptResults {
             ("validations that panicked", self.panics),
         ];
         let counts = counts.into_iter().filter(|(_, count)| *count > 0);
-        reasons.extend(counts.map(|(what, count)| format!("{what}: {count}")));
+        let mut reasons: Vec<String> = counts.map(|(what, count)| format!("{what}: {count}")).collect();
         if is_complete && self.tallies().all(|tally| tally.caught == 0) {
             reasons.push("no wrong table was caught".to_owned());
         }

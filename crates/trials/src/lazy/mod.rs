@@ -38,7 +38,7 @@ pub use labels::{LazyColumn, LazyLabels};
 pub use side::Acceptor;
 pub use work::{LazyError, LazyWork};
 
-use crate::outcome::{Outcome, Results};
+use crate::outcome::{Outcome, Results, faults};
 use crate::rows::{add_findings, add_rows, narrow, rows};
 use crate::run::Run;
 use side::{Judgement, Side, Tables};
@@ -178,10 +178,7 @@ impl Results for LazyResults {
                 }
             }
         }
-        if self.differences > 0 {
-            reasons.push(format!("differences: {}", self.differences));
-            reasons.extend(self.findings.iter().cloned());
-        }
+        reasons.extend(faults("differences", self.differences, &self.findings));
         reasons
     }
 

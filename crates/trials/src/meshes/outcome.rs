@@ -1,6 +1,6 @@
 //! The work and the results of `meshes`.
 
-use crate::outcome::Results;
+use crate::outcome::{Results, faults};
 use crate::rows::{Row, add_findings, add_rows, rows};
 use crate::run::Estimate;
 use std::fmt;
@@ -184,14 +184,10 @@ impl Results for MeshesResults {
 
     fn reasons(&self, _: &Self::Work, is_complete: bool) -> Vec<String> {
         let mut reasons = Vec::new();
-
         let differ = self.rows.iter().filter(|row| !row.is_as_published());
         reasons.extend(differ.map(|row| format!("{}: there are not as many triangulations as published", row.shape)));
         let differences: u64 = self.rows.iter().map(|row| row.differences).sum();
-        if differences > 0 {
-            reasons.push(format!("differences: {differences}"));
-            reasons.extend(self.findings.iter().map(MeshFinding::to_string));
-        }
+        reasons.extend(faults("differences", differences, &self.findings));
         if is_complete && self.operators.iter().all(|row| row.applied == 0) {
             reasons.push("no operator was applied, so nothing was tried".to_owned());
         }

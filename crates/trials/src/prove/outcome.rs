@@ -1,7 +1,7 @@
 //! The work and the results of `prove`.
 
 use super::genus;
-use crate::outcome::Results;
+use crate::outcome::{Results, faults};
 use crate::published;
 use crate::rows::{Row, add_findings, add_rows, rows};
 use crate::run::Estimate;
@@ -152,13 +152,9 @@ impl Results for ProveResults {
 
     fn reasons(&self, _: &Self::Work, is_complete: bool) -> Vec<String> {
         let mut reasons = Vec::new();
-
         let nested = self.nested.iter().map(|row| row.violations);
         let violations: u64 = self.edges.iter().map(|row| row.violations).chain(nested).sum();
-        if violations > 0 || !self.findings.is_empty() {
-            reasons.push(format!("violations: {violations}"));
-            reasons.extend(self.findings.iter().map(Finding::to_string));
-        }
+        reasons.extend(faults("violations", violations, &self.findings));
         let refused: u64 = self.genus.iter().map(|row| row.refused).sum();
         if refused > 0 {
             reasons.push(format!("rotation systems that the validator refused: {refused}"));

@@ -11,7 +11,7 @@ mod damage;
 mod subdivision;
 
 use crate::corrupt::RuleRow;
-use crate::outcome::{Outcome, Results};
+use crate::outcome::{Outcome, Results, faults};
 use crate::random::Random;
 use crate::rows::{add_findings, add_rows};
 use crate::run::{Estimate, Run};
@@ -82,13 +82,7 @@ impl Results for SampleResults {
     type Work = SampleWork;
 
     fn reasons(&self, _: &Self::Work, _: bool) -> Vec<String> {
-        let mut reasons = Vec::new();
-
-        if self.disagreements > 0 {
-            reasons.push(format!("disagreements: {}", self.disagreements));
-            reasons.extend(self.findings.iter().cloned());
-        }
-        reasons
+        faults("disagreements", self.disagreements, &self.findings)
     }
 
     fn absorb(&mut self, other: &Self) {

@@ -19,7 +19,7 @@ pub(crate) mod formulas;
 mod jobs;
 
 use crate::enumerate::{TableCells, for_each_assignment};
-use crate::outcome::{Outcome, Results};
+use crate::outcome::{Outcome, Results, faults};
 use crate::rows::{add_findings, add_rows, narrow, rows};
 use crate::run::{Estimate, Run};
 use crate::verdict::{Checker, Judgement};
@@ -151,10 +151,7 @@ impl Results for TablesResults {
             }));
         }
         let disagreements: u64 = self.tables.iter().map(|row| row.disagreements).sum();
-        if disagreements > 0 {
-            reasons.push(format!("disagreements: {disagreements}"));
-            reasons.extend(self.findings.iter().cloned());
-        }
+        reasons.extend(faults("disagreements", disagreements, &self.findings));
         reasons
     }
 
