@@ -170,7 +170,7 @@ pub struct SoakFailure {
     pub number: u32,
     /// The failure, in one line.
     pub message: String,
-    /// The text of the program: [`Program`](twinedge::program::Program) reads it.
+    /// The text of the program: [`Program`] reads it.
     pub program: String,
     /// A regression test, or the program as a Rust expression: see [`Structure::source`](crate::Structure::source).
     pub rust: String,
