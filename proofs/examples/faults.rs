@@ -307,7 +307,7 @@ fn built(copy: &Path, build: &Path, is_built: impl Fn(&str) -> bool) -> Result<V
     let commands: Vec<_> = COMMANDS.iter().filter(|(name, _)| is_built(name)).collect();
     let tests: Vec<_> = TESTS.iter().filter(|(name, _)| is_built(name)).collect();
     // The tests of the program need it.
-    let program = (!commands.is_empty()).then_some(("twinedge-trials", "--test=program", ""));
+    let program = (!commands.is_empty()).then_some(("twinedge-trials", "--test=trials_program", ""));
     let chosen = tests.iter().map(|(_, test)| *test).chain(program);
     // Each once: cargo takes no option twice.
     let (packages, options): (BTreeSet<_>, BTreeSet<_>) = chosen.map(|(package, option, _)| (package, option)).unzip();
