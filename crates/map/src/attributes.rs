@@ -179,7 +179,7 @@ impl PlanarMap {
 
     /// Adds the attributes of another map, with their identities and policies but without values. O(attributes).
     ///
-    /// Gives values to a [loaded](#impl-Serialize-for-PlanarMap) map, or serves to [compare](mod@super::diff) loaded maps.
+    /// Gives values to a [loaded](#impl-Serialize-for-PlanarMap) map.
     pub fn add_attributes_of(&mut self, other: &Self) {
         self.dcel.add_attributes_of(&other.dcel);
     }

@@ -30,7 +30,6 @@
 //! | module | purpose |
 //! | --- | --- |
 //! | [`certificate`] | a triangulation that proves a map to be drawn in the plane |
-//! | [`mod@diff`] | the changes from one map to another, by ids: displayed, saved, applied, merged |
 //! | [`edit`] | drawing and erasing points, segments and rings one by one |
 //! | [`locate`] | point location by an index |
 //! | [`zone`] | the elements along a line, in order |
@@ -40,7 +39,6 @@
 extern crate alloc;
 
 pub mod certificate;
-pub mod diff;
 pub mod drawing;
 pub mod edit;
 pub mod locate;
@@ -69,7 +67,6 @@ mod saved;
 mod summary;
 
 pub use construct::{BuildError, Builder, Noding, UnmatchedVertex, usual_cuts};
-pub use diff::{diff, merge};
 pub use drawing::{Embedding, places, validate_embedding};
 pub use feature::{Feature, Shape};
 pub use feature_id::{FeatureId, Features};
