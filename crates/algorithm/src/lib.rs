@@ -24,8 +24,6 @@ pub mod colouring;
 pub mod contour;
 pub mod convex;
 pub mod dual;
-#[cfg(feature = "geo-types")]
-pub mod geo_types;
 pub mod lattice;
 pub mod neighbours;
 pub mod overlay;

@@ -25,7 +25,6 @@
 //!
 //! | feature | effect |
 //! | --- | --- |
-//! | `geo-types` | conversions between points and coordinates of that crate |
 //! | `rayon` | crossings and noding use the threads of the current pool, with the same results |
 //! | `serde` | points are read and written as `[x, y]`, summaries of noding as structures |
 #![forbid(unsafe_code)]
@@ -40,8 +39,6 @@ pub mod sweep;
 pub mod threads;
 
 mod events;
-#[cfg(feature = "geo-types")]
-mod geo_types;
 mod point;
 mod status;
 #[doc(hidden)]

@@ -25,7 +25,7 @@
 //! ```
 //!
 //! A [`History`](twinedge::dcel::History) undoes and redoes edits, [`Audited`](twinedge::dcel::Audited) validates after each
-//! edit, and [attributes](PlanarMap#attributes) follow edits. The example `undo_owners_ids` is a minimal editor core.
+//! edit, and [attributes](PlanarMap#attributes) follow edits.
 //!
 //! | module | purpose |
 //! | --- | --- |
@@ -52,8 +52,6 @@ mod feature;
 mod feature_id;
 mod feature_sets;
 mod feature_tries;
-#[cfg(feature = "geo-types")]
-mod geo_types;
 mod import;
 mod index;
 mod not_plane;
@@ -74,7 +72,5 @@ pub use import::MapImportError;
 pub use locate::{LocateError, Located, Locator};
 pub use not_plane::NotPlane;
 pub use planar_map::PlanarMap;
-#[cfg(feature = "serde")]
-pub use saved::Certified;
 pub use summary::{BuildSummary, Irregularity, IrregularityKind, Position};
 pub use zone::{QueryLine, ZoneElement};

@@ -3,7 +3,7 @@
 use quickcheck::{Gen, QuickCheck};
 use std::collections::BTreeSet;
 use std::io::{self, Write};
-use twinedge_algorithm::contour::{of_feature, of_features};
+use twinedge_algorithm::contour::of_features;
 use twinedge_formats::io as formats;
 use twinedge_formats::io::{ReadError, WriteError, geojson, wkt};
 use twinedge_geometry::Point;
@@ -49,11 +49,6 @@ fn through_wkt(features: &[Feature]) -> Vec<Feature> {
     from_wkt(&text)
 }
 
-fn through_geo_types(features: &[Feature]) -> Vec<Feature> {
-    let there = |feature: &Feature| geo_types::Geometry::GeometryCollection(feature.into());
-    features.iter().map(|feature| Feature::from(&there(feature))).collect()
-}
-
 type Bits = (u64, u64);
 
 /// A half-edge: its ends, and the features to its left.
@@ -80,7 +75,7 @@ fn world() -> Vec<Feature> {
 fn the_contours_of_all_countries_make_the_same_world_again() {
     let map = built(&world());
     let contours = of_features(&map).expect("the world is plane");
-    let mut features: Vec<Feature> = contours.iter().cloned().map(Feature::from).collect();
+    let mut features: Vec<Feature> = contours.into_iter().map(Feature::from).collect();
     for (feature, id) in features.iter_mut().zip(map.features()) {
         feature.name = map.name(id).map(str::to_owned);
     }
@@ -91,12 +86,6 @@ fn the_contours_of_all_countries_make_the_same_world_again() {
     assert_eq!(read, features);
     assert_eq!(drawn(&built(&read)), expected);
     assert_eq!(drawn(&built(&through_wkt(&features))), expected);
-    assert_eq!(drawn(&built(&through_geo_types(&features))), expected);
-    let polygons: Vec<Feature> = contours
-        .iter()
-        .map(|contour| Feature::from(&geo_types::Geometry::MultiPolygon(geo_types::MultiPolygon::from(contour))))
-        .collect();
-    assert_eq!(drawn(&built(&polygons)), expected);
 }
 
 #[test]
@@ -147,17 +136,6 @@ fn any_plane_map_exported_is_the_same_again() {
         .quickcheck(exported_maps_are_the_same_again as fn(Vec<Shapes>) -> bool);
 }
 
-fn closed(mut features: Vec<Feature>) -> Vec<Feature> {
-    for shape in features.iter_mut().flat_map(|feature| &mut feature.shapes) {
-        if let Shape::Polygon(rings) = shape {
-            for ring in rings.iter_mut().filter(|ring| ring.first() != ring.last()) {
-                ring.extend(ring.first().copied());
-            }
-        }
-    }
-    features
-}
-
 fn shapes_come_back_as_they_were(shapes: Vec<Shapes>, exponents: Vec<i16>) -> bool {
     let mut features: Vec<Feature> = shapes.iter().take(5).map(|shapes| feature(shapes)).collect();
     // Numbers of all sizes, mostly with many digits.
@@ -172,9 +150,7 @@ fn shapes_come_back_as_they_were(shapes: Vec<Shapes>, exponents: Vec<i16>) -> bo
             p.x *= scale.next().unwrap_or(1.0);
         }
     }
-    through_geojson(&features) == features
-        && through_wkt(&features) == features
-        && through_geo_types(&features) == closed(features)
+    through_geojson(&features) == features && through_wkt(&features) == features
 }
 
 #[test]
@@ -216,28 +192,6 @@ fn geometries_are_written_as_what_they_are() {
     let expected = serde_json::json!({"type": "FeatureCollection", "features": [
         {"type": "Feature", "id": "7", "properties": {"name": "A \"b\""}, "geometry": null}]});
     assert_eq!(value, expected);
-}
-
-#[test]
-fn what_geo_types_has_beside_is_taken_too() {
-    use geo_types::{Geometry, GeometryCollection, Line, Rect, Triangle, coord};
-    let (a, b, c) = (coord! { x: 0.0, y: 0.0 }, coord! { x: 2.0, y: 0.0 }, coord! { x: 2.0, y: 1.0 });
-    let inner = GeometryCollection(vec![Line::new(a, b).into(), Geometry::Point(c.into())]);
-    let all = GeometryCollection(vec![
-        Geometry::GeometryCollection(inner),
-        Rect::new(a, c).into(),
-        Triangle::new(a, b, c).into(),
-    ]);
-    let shapes = Feature::from(&Geometry::GeometryCollection(all)).shapes;
-    assert_eq!(shapes[..2], [Shape::Line(vec![a.into(), b.into()]), Shape::Point(c.into())]);
-    let areas: Vec<f64> = shapes[2..]
-        .iter()
-        .map(|shape| {
-            let map = built(&[Feature { shapes: vec![shape.clone()], ..Feature::default() }]);
-            of_feature(&map, map.features().next().expect("one")).expect("plane").area()
-        })
-        .collect();
-    assert_eq!(areas, [2.0, 1.0]);
 }
 
 /// A writer that takes some bytes and then fails.
