@@ -6,7 +6,7 @@ use crate::output::{Format, print_answer, print_json};
 use crate::status::Failure;
 use serde::Serialize;
 use twinedge_geometry::Point;
-use twinedge_map::{Located, Locator};
+use twinedge_map::Located;
 
 /// Tell what lies at a point: a face, an edge or a vertex. The answer is exact.
 #[derive(Debug, clap::Args)]
@@ -39,7 +39,7 @@ struct PlaceAnswer<'a> {
 impl At {
     pub(super) fn answer(&self, asked: &Source) -> Result<(), Failure> {
         let Source { input, map, .. } = asked;
-        let found = match Locator::new(map)?.locate(Point::new(self.x, self.y))? {
+        let found = match map.locate(Point::new(self.x, self.y))? {
             Located::Face(key) => Record::face(map, key),
             Located::Edge(key) => Record::edge(map, key),
             Located::Vertex(key) => Record::vertex(map, key),

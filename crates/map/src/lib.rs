@@ -5,7 +5,7 @@
 //!
 //! ```
 //! use twinedge_geometry::Point;
-//! use twinedge_map::{Builder, Located, Locator, Shape};
+//! use twinedge_map::{Builder, Located, Shape};
 //!
 //! let square = |x: f64| [[x, 0.0], [x + 2.0, 0.0], [x + 2.0, 2.0], [x, 2.0]];
 //! let mut builder = Builder::new();
@@ -13,7 +13,7 @@
 //! let east = builder.shape(&Shape::polygon(square(2.0)))?;
 //! let mut map = builder.build()?;
 //!
-//! let Located::Face(face) = Locator::new(&map)?.locate(Point::new(3.0, 1.0))? else { unreachable!("it is inside") };
+//! let Located::Face(face) = map.locate(Point::new(3.0, 1.0))? else { unreachable!("it is inside") };
 //! assert!(map.features_of(face)?.eq([east]));
 //! // A wall across the eastern square: it splits the edges on which it ends, and the face.
 //! let wall = map.insert_segment([2.0, 1.0], [4.0, 1.0])?;
@@ -69,7 +69,7 @@ pub use drawing::{Embedding, places, validate_embedding};
 pub use feature::{Feature, Shape};
 pub use feature_id::{FeatureId, Features};
 pub use import::MapImportError;
-pub use locate::{LocateError, Located, Locator};
+pub use locate::{LocateError, Located};
 pub use not_plane::NotPlane;
 pub use planar_map::PlanarMap;
 pub use summary::{BuildSummary, Irregularity, IrregularityKind, Position};

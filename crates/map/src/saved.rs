@@ -136,8 +136,7 @@ impl<'de> Deserialize<'de> for PlanarMap {
 
 impl SavedMap<Dcel> {
     fn load(self) -> Result<PlanarMap, LoadError> {
-        let Self { form, dcel, points: saved_points, names, sets, faces, edges, summary, noding, removed } =
-            self;
+        let Self { form, dcel, points: saved_points, names, sets, faces, edges, summary, noding, removed } = self;
         if form != FORM {
             return Err(LoadError::Form(form));
         }

@@ -12,7 +12,7 @@ use twinedge_algorithm::overlay::{Operand, overlay};
 use twinedge_formats::io;
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::Snap;
-use twinedge_map::{Builder, FeatureId, Located, Locator, PlanarMap};
+use twinedge_map::{Builder, FeatureId, Located, PlanarMap};
 
 /// The scale of query points, which lie between vertices: whole numbers of hundredths.
 const SCALE: i128 = 100;
@@ -127,12 +127,13 @@ fn overlays_lie_where_both_maps_say() {
         let both = overlay(left, right, Snap::Auto).expect("small numbers");
         let report = both.map().validate();
         assert!(report.is_valid(), "{report}");
-        let locator = Locator::new(both.map()).expect("it is plane");
         let plain = maps.each_ref().map(Plain::new);
         for p in samples() {
             // A point off an edge is far from it, compared with rounding.
             let (Some(in_left), Some(in_right)) = (face_at(&plain[0], p), face_at(&plain[1], p)) else { continue };
-            let Ok(Located::Face(face)) = locator.locate(float(p)) else { panic!("{p:?} is on no edge of either map") };
+            let Ok(Located::Face(face)) = both.map().locate(float(p)) else {
+                panic!("{p:?} is on no edge of either map")
+            };
             assert_eq!(both.face_in(Operand::Left, face), Ok(in_left), "{p:?}");
             assert_eq!(both.face_in(Operand::Right, face), Ok(in_right), "{p:?}");
             let mut expected = covers(left, in_left);
