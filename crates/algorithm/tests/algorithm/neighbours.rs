@@ -5,7 +5,6 @@ use std::collections::{BTreeMap, BTreeSet};
 use twinedge::dcel::{Face, FaceKey, StaleKey};
 use twinedge_algorithm::colouring::feature_colours;
 use twinedge_algorithm::neighbours::{Neighbour, of_face, of_feature, pairs, touching_face, touching_feature};
-use twinedge_formats::io::{ReadError, geojson};
 use twinedge_geometry::Point;
 use twinedge_map::{Builder, Feature, FeatureId, PlanarMap, Shape};
 
@@ -173,13 +172,7 @@ fn faces_have_the_neighbours_that_one_sees() {
 }
 
 fn world() -> PlanarMap {
-    let mut builder = Builder::new();
-    geojson::read(include_bytes!("../../../../cli/data/world-110m.geojson").as_slice(), |feature| {
-        builder.feature(&feature).expect("longitudes and latitudes are in range");
-        Ok::<(), ReadError>(())
-    })
-    .expect("the file is GeoJSON");
-    builder.build().expect("the world fits")
+    planar::world_maps().next().expect("the first is coarse")
 }
 
 #[test]

@@ -6,7 +6,7 @@ use quickcheck::{Gen, QuickCheck, Testable};
 use std::collections::BTreeMap;
 use twinedge::dcel::{Face, FaceKey, HalfEdge};
 use twinedge_algorithm::claims::{faces_of, leaks};
-use twinedge_algorithm::contour::{Contour, ContourError, of_feature};
+use twinedge_algorithm::contour::{Contour, ContourError, of_feature, of_features};
 use twinedge_algorithm::neighbours;
 use twinedge_algorithm::overlay::{Operand, overlay};
 use twinedge_formats::io;
@@ -153,8 +153,8 @@ fn what_is_written_of_an_edited_map_covers_the_same() {
             return true;
         }
         let mut builder = Builder::new();
-        for feature in io::features(&map).expect("it is plane") {
-            builder.feature(&feature).expect("in range");
+        for feature in of_features(&map).expect("it is plane") {
+            builder.feature(&feature.into()).expect("in range");
         }
         let again = builder.build().expect("fits");
         assert!(again.is_plane());

@@ -1,8 +1,8 @@
 //! Maps built and queried by several threads, compared bit for bit with one thread.
 
+use crate::location::maps::features;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use twinedge_coverage::{Limits, check};
-use twinedge_formats::io::{ReadError, geojson};
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::{Noded, Snap, node, node_within};
 use twinedge_map::{Builder, Feature, Noding, PlanarMap, Shape};
@@ -20,14 +20,7 @@ fn same<T: PartialEq + core::fmt::Debug + Send>(say: impl Fn() -> T + Sync) -> T
 }
 
 fn world() -> Vec<Feature> {
-    let mut features = Vec::new();
-    let file = include_bytes!("../../../../tests/data/world-50m.geojson");
-    geojson::read(file.as_slice(), |feature| {
-        features.push(feature);
-        Ok::<(), ReadError>(())
-    })
-    .expect("the file is GeoJSON");
-    features
+    features(include_bytes!("../../../../tests/data/world-50m.geojson"))
 }
 
 fn build(features: &[Feature], noding: Noding) -> PlanarMap {
