@@ -22,8 +22,8 @@ use twinedge_proofs::faults::{Fault, SWITCH, parse, plant};
 
 type Result<T> = std::result::Result<T, Box<dyn Error + Send + Sync>>;
 
-/// Plants every fault of `proofs/faults/` in a copy of the sources under `target/faults`, and prints, in Markdown, which check
-/// catches which.
+/// Plants every fault of `proofs/faults/` in a copy of the sources under `target/faults`, and prints, separated by tabs, which
+/// check catches which.
 #[derive(Parser)]
 #[command(after_help = "\
 Examples:
@@ -515,42 +515,25 @@ fn matrix(
     Ok(done.into_inner().map_err(|_| "a thread panicked")?)
 }
 
+/// Prints a row for each fault, separated by tabs, and to the standard error how many were caught, and by which checks.
 fn print(checks: &[Check], faults: &[Fault], caught: &BTreeMap<usize, Vec<End>>) {
-    println!("| fault | where | caught by | not by | not run |\n| --- | --- | --- | --- | --- |");
-    let named = |ends: &[End], test: fn(End) -> bool| -> Vec<String> {
-        let those = checks.iter().zip(ends).filter(|(_, end)| test(**end));
-        those
-            .map(|(check, end)| if *end == End::TimedOut { format!("{} (t)", check.name) } else { check.name.clone() })
-            .collect()
-    };
-    let (mut by_none, mut by_one) = (Vec::new(), Vec::new());
+    println!("fault\tfile\tcaught by\tpassed\tnot run");
+    let mut counts = [0; 3];
     for (n, ends) in caught {
         let Fault { what, file, .. } = &faults[*n];
-        let name = file.strip_prefix("src/").unwrap_or(file);
-        let by = named(ends, End::is_caught);
-        let not_by = named(ends, |end| end == End::Passed).len();
-        println!("| {what} | `{name}` | {} | {not_by} | {} |", by.join(", "), ends.len() - by.len() - not_by);
-        match &by[..] {
-            [] => by_none.push(format!("- {what}")),
-            [one] => by_one.push(format!("- {what}: {one}")),
-            _ => {}
-        }
+        let by: Vec<String> = (checks.iter().zip(ends).filter(|(_, end)| end.is_caught()))
+            .map(|(check, end)| format!("{}{}", check.name, if *end == End::TimedOut { " (t)" } else { "" }))
+            .collect();
+        let passed = ends.iter().filter(|end| **end == End::Passed).count();
+        println!("{what}\t{file}\t{}\t{passed}\t{}", by.join(", "), ends.len() - by.len() - passed);
+        counts[by.len().min(2)] += 1;
     }
-    let several = caught.len() - by_none.len() - by_one.len();
-    println!(
-        "\n{} faults: {several} caught by several checks, {} by one, {} by none.\n",
-        caught.len(),
-        by_one.len(),
-        by_none.len()
-    );
-    for (words, faults) in [("one", by_one), ("none", by_none)].iter().filter(|(_, faults)| !faults.is_empty()) {
-        println!("Caught by {words} of those that were run:\n\n{}\n", faults.join("\n"));
-    }
-    println!("| check | caught | not caught | seconds without a fault |\n| --- | --- | --- | --- |");
+    let [by_none, by_one, by_several] = counts;
+    eprintln!("{} faults: {by_several} caught by several checks, {by_one} by one, {by_none} by none", caught.len());
     for (position, Check { name, takes, .. }) in checks.iter().enumerate() {
         let count = |test: fn(End) -> bool| caught.values().filter(|ends| test(ends[position])).count();
         let (by_it, not_by_it) = (count(End::is_caught), count(|end| end == End::Passed));
-        println!("| {name} | {by_it} | {not_by_it} | {:.1} |", takes.as_secs_f64());
+        eprintln!("{name}: {by_it} caught, {not_by_it} not, {:.1} s without a fault", takes.as_secs_f64());
     }
 }
 

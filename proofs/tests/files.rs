@@ -1,6 +1,5 @@
-//! `coq/README.md` has a row for every Rust file, and every file that it names exists.
+//! `files.tsv` has a row for every Rust file, and every file that it names exists.
 
-use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
@@ -18,37 +17,22 @@ fn add_files(folder: &Path, files: &mut Vec<String>) {
     }
 }
 
-/// Returns the names in the first cells of each table, by the folder in its head.
-fn tables(text: &str) -> BTreeMap<String, Vec<String>> {
-    let (mut tables, mut folder): (BTreeMap<String, Vec<String>>, _) = (BTreeMap::new(), String::new());
-    for line in text.lines().skip_while(|line| *line != "## File by file") {
-        let cell = line.split('|').nth(1).unwrap_or_default();
-        let mut names = cell.split('`').skip(1).step_by(2).map(str::to_owned);
-        if cell.trim_start().starts_with("files") {
-            folder = names.next().map(|name| name + "/").unwrap_or_default();
-        } else {
-            let names = names.map(|name| format!("{folder}{name}"));
-            tables.entry(folder.clone()).or_default().extend(names);
-        }
-    }
-    tables
-}
-
 #[test]
 fn each_file_has_a_row_and_each_name_a_file() {
     let mut files = Vec::new();
     add_files(Path::new(ROOT), &mut files);
-    let tables = tables(&fs::read_to_string(Path::new(ROOT).join("proofs/coq/README.md")).unwrap());
-    assert_eq!(tables.keys().collect::<Vec<_>>(), ["", "src/dcel/", "src/validate/"]);
-    let mut unused: Vec<&String> = tables.values().flatten().collect();
-    unused.sort();
-    assert!(unused.windows(2).all(|two| two[0] != two[1]), "a name is in two rows");
+    let table = fs::read_to_string(Path::new(ROOT).join("proofs/files.tsv")).unwrap();
+    let rows = table.lines().skip(1).map(|row| row.split('\t').next().unwrap());
+    let mut names: Vec<&str> = rows.flat_map(|names| names.split(' ')).collect();
+    names.sort_unstable();
+    assert!(names.windows(2).all(|two| two[0] != two[1]), "a name is in two rows");
+    let mut unused = names.clone();
     for file in files {
-        // In the table of the innermost folder, the row with the longest matching name.
-        let (_, rows) = tables.iter().rfind(|(folder, _)| file.starts_with(folder.as_str())).unwrap();
-        let fitting = rows.iter().filter(|row| **row == file || row.ends_with('/') && file.starts_with(row.as_str()));
-        let row = fitting.max_by_key(|row| row.len()).unwrap_or_else(|| panic!("{file}.rs is in no row"));
-        unused.retain(|name| *name != row);
+        let fits = |name: &&&str| **name == file || name.ends_with('/') && file.starts_with(**name);
+        // The longest name decides.
+        let name = names.iter().filter(fits).max_by_key(|name| name.len());
+        let name = name.unwrap_or_else(|| panic!("{file}.rs is in no row"));
+        unused.retain(|other| other != name);
     }
     assert!(unused.is_empty(), "no file is left for {unused:?}");
 }

@@ -1,6 +1,6 @@
 //! The checker: a scan that reads each record once, with the records named by its links.
 //!
-//! Each function is a row of the tables in `proofs/coq/CERTIFICATE.md`, and a definition in `proofs/coq/Labels.v`, under the same
+//! Each function is a row of the tables in `proofs/coq/CERTIFICATE.md`, and a definition in `proofs/coq/certificates/Labels.v`, under the same
 //! name. It has no walk, no set and no order, and does not contain the rules.
 
 use super::answers::Answers;

@@ -1,6 +1,6 @@
 //! The checker of drawings.
 //!
-//! Each function is a row of the tables in `proofs/coq/CERTIFICATE.md`, and a definition in `proofs/coq/Coordinates.v`, under the
+//! Each function is a row of the tables in `proofs/coq/CERTIFICATE.md`, and a definition in `proofs/coq/certificates/Coordinates.v`, under the
 //! same name. As there, entries beyond the end of a column are 0.
 
 use super::answers::Answers;

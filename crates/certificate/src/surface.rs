@@ -1,6 +1,6 @@
 //! The checker for surfaces of any genus: positions show that each rotation and each cycle is one orbit.
 //!
-//! Each function is a row of the table of surfaces in `proofs/coq/CERTIFICATE.md`, and a definition in `proofs/coq/Surface.v`,
+//! Each function is a row of the table of surfaces in `proofs/coq/CERTIFICATE.md`, and a definition in `proofs/coq/certificates/Surface.v`,
 //! under the same name. Boundary components are the faces: if half-edges name their face, the face takes that role.
 
 use super::answers::Answers;

@@ -101,6 +101,7 @@ pub fn clean_in_tiles(
     full?;
     let FirstReading { untidy, .. } = read.checked()?;
     let Some(corners) = Extent::around(file.extents()) else { return Err(CleanError::NoPolygons.into()) };
+    let largest = Extent::largest(file.extents());
     let limits = limits(&repair.options);
     stage("dividing the map");
     let (grid, most) = match division {
@@ -146,7 +147,6 @@ pub fn clean_in_tiles(
     numbers.dedup();
     let name = |number| Ok::<_, Error>((number, Called::new(repair.names, &file.read(number)?)));
     let called = numbers.into_iter().map(name).collect::<Result<_, _>>()?;
-    let largest = corners.iter().fold(0.0, |most: f64, p| most.max(p.x.abs()).max(p.y.abs()));
     let features = file.extents().len();
     let tiles = CleanedTiles { report, too_large, features, called, largest, grid, neighbourhoods: cleaned, vertices };
     Ok((file, tiles))

@@ -43,7 +43,7 @@
 //!
 //! This argument is tested, not proved. Two of its parts are theorems of `proofs/coq`: Euler's formula for each component
 //! (`component_euler`), and that components may be joined until Euler's formula allows no fewer (`few_sets_are_components`).
-//! `proofs/coq/FastPath.v` proves an older fast path, which scanned the half-edges by index and walked along every cycle, for the
+//! `proofs/coq/fast_path/FastPath.v` proves an older fast path, which scanned the half-edges by index and walked along every cycle, for the
 //! closed plane with every part. `proofs/coq/compare --fast-path` compares the two on tables.
 
 mod boundaries;

@@ -103,17 +103,17 @@ pub enum CleanError {
 /// # Errors
 /// [`CleanError`]; the layer is then unchanged.
 pub fn clean(layer: &mut Layer, options: &CleanOptions) -> Result<CleanReport, CleanError> {
-    clean_part(layer, options, None)
+    let extents: Vec<Extent> = layer.features.iter().map(Extent::of).collect();
+    clean_part(layer, options, Extent::largest(&extents))
 }
 
-/// Cleans like [`clean`] a part of a layer with this largest coordinate, so that it uses the finest grid of the whole.
-fn clean_part(layer: &mut Layer, options: &CleanOptions, largest: Option<f64>) -> Result<CleanReport, CleanError> {
-    // A point outside of everything.
-    let anchor = || largest.map(|most| twinedge_map::Shape::Point(Point::new(most, most)));
+/// Cleans like [`clean`] a part of a layer with this largest coordinate. So the part has the finest grid of the layer, and each
+/// round has that of the first, even if the point farthest out is gone.
+fn clean_part(layer: &mut Layer, options: &CleanOptions, largest: f64) -> Result<CleanReport, CleanError> {
     let mut options = options.clone();
     let mut features: Vec<Cow<'_, Feature>> = layer.features.iter().map(Cow::Borrowed).collect();
     options.assign.gaps_to = options.gaps_to.take().map(|to| receiving(&mut features, to)).unwrap_or_default();
-    let mut done = pass(&features, anchor().as_slice(), &options)?;
+    let mut done = pass(&features, &[], largest, &options)?;
     let chosen = done.chosen;
     if std::mem::take(&mut options.chooses_width) {
         options.assign.gap_width = chosen.map(|chosen| chosen.width);
@@ -123,9 +123,7 @@ fn clean_part(layer: &mut Layer, options: &CleanOptions, largest: Option<f64>) -
     if let Some(width) = options.assign.gap_width {
         let mut near_misses = done.near_misses(options.assign.window);
         while !near_misses.is_empty() {
-            let mut beside = fillers(&near_misses, width);
-            beside.extend(anchor());
-            let next = pass(&done.features, &beside, options)?;
+            let next = pass(&done.features, &fillers(&near_misses, width), largest, options)?;
             let left = next.near_misses(options.assign.window);
             if left.len() >= near_misses.len() || !next.is_plane() {
                 break;
@@ -231,9 +229,15 @@ impl Pass<'_> {
 fn pass<'a>(
     features: &[Cow<'a, Feature>],
     fillers: &[twinedge_map::Shape],
+    largest: f64,
     options: &CleanOptions,
 ) -> Result<Pass<'a>, CleanError> {
-    let map = build(features, fillers, options.snap)?;
+    // A point outside of everything sets the finest grid.
+    let anchor = twinedge_map::Shape::Point(Point::new(largest, largest));
+    let beside = [fillers, &[anchor]].concat();
+    // The corners of fillers are computed: they lie beside the borders, not on them.
+    let snap = options.snap.or((!fillers.is_empty()).then_some(Snap::Auto));
+    let map = build(features, &beside, snap)?;
     let is_cut = map.noding().is_some_and(|noding| noding.split > 0);
     let unmatched = if is_cut { gather(features, &[])?.unmatched() } else { Vec::new() };
     let missing = Missing::new(&map, &unmatched)?;
@@ -298,7 +302,7 @@ fn outlined<'a>(
     Ok(all)
 }
 
-/// Builds the map of all polygons followed by the fillers, cut where they meet.
+/// Builds the map of all polygons followed by the fillers, cut where they meet. Without a grid nothing moves, unless borders cross.
 fn build(
     features: &[Cow<'_, Feature>],
     fillers: &[twinedge_map::Shape],

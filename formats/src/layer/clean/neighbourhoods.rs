@@ -14,7 +14,7 @@
 //! ([`Options::window`](twinedge_coverage::clean::Options::window)). A gap to be filled lies in the box around its neighbours,
 //! which are in the core, as its finding names them. The given limits apply to the whole, and so does the finest grid.
 //!
-//! *Exceptions.* Without a given area of slivers, cleaning the whole measures the parts of features anew in each round. If
+//! *Exceptions.* Without a given area of slivers, cleaning the whole measures the parts of features anew in each round. If input
 //! borders cross, the whole is cut on the finest grid everywhere, but here only neighbourhoods with crossings are; so points
 //! within a cell of each other may merge there and stay distinct here.
 
@@ -152,7 +152,7 @@ pub fn clean_neighbourhoods<S: Source>(
             let mut layer = Layer { features, ..Layer::default() };
             let mut asked = options.clone();
             asked.assign.window = Some(grown(open.corners, windows.largest));
-            let mut report = clean_part(&mut layer, &asked, Some(windows.largest))?;
+            let mut report = clean_part(&mut layer, &asked, windows.largest)?;
             renumber(&mut report, &numbers);
             let fresh: BTreeSet<usize> =
                 report.touched().into_iter().filter(|number| !open.core.contains(number)).collect();
@@ -178,6 +178,13 @@ impl Extent {
     #[must_use]
     pub fn around(all: &[Self]) -> Option<[Point; 2]> {
         around(all.iter().filter_map(|extent| extent.corners))
+    }
+
+    /// Returns the largest absolute coordinate of several extents, 0 without any. O(extents).
+    #[must_use]
+    pub fn largest(all: &[Self]) -> f64 {
+        let corners = Self::around(all).into_iter().flatten();
+        corners.fold(0.0, |most: f64, p| most.max(p.x.abs()).max(p.y.abs()))
     }
 
     /// Returns the extent of a feature's polygons. O(vertices).
@@ -217,9 +224,7 @@ struct Windows {
 
 impl Windows {
     fn new(extents: &[Extent]) -> Self {
-        let corners = Extent::around(extents).into_iter().flatten();
-        let largest = corners.fold(0.0, |most: f64, p| most.max(p.x.abs()).max(p.y.abs()));
-        Self { all: FxHashMap::default(), tree: RTree::new(), largest, next: 0 }
+        Self { all: FxHashMap::default(), tree: RTree::new(), largest: Extent::largest(extents), next: 0 }
     }
 
     /// Adds a window around some features, joined with all windows that it meets. Returns the features that these had changed.

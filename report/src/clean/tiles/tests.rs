@@ -249,6 +249,20 @@ fn tiles_clean_as_the_whole_does() {
     QuickCheck::new().tests(120).quickcheck(law as fn(Parcels) -> bool);
 }
 
+/// Every neighbourhood and every round has the grid of the whole.
+#[test]
+fn grids_of_rounds_are_those_of_the_whole() {
+    // The spike at 64 is gone after the first round, and the finest grid of the rest is half as wide.
+    let faults = vec![(10, 74, 160), (0, 0, 210)];
+    let spiked = Parcels { size: [2, 6], faults, noise: vec![1], tiles: 3, winner: 0, gap_width: true, far: false };
+    // The filler at one parcel crosses a border, the filler at the other lies beside a border, by less than a cell.
+    let (faults, noise) = (vec![(107, 1, 48), (0, 0, 181)], vec![1, 0, 18, 0, 0, 0]);
+    let filled = Parcels { size: [4, 9], faults, noise, tiles: 2, winner: 88, gap_width: true, far: true };
+    for (parcels, count) in [(spiked, 3), (filled, 4)] {
+        assert_eq!(changed(&parcels.text(), &parcels.repair(), parcels.tiles), Ok(count));
+    }
+}
+
 /// Nothing overlaps, is left out, or crosses.
 #[test]
 fn a_hole_outside_of_its_polygon_becomes_a_part_of_it() {
