@@ -172,7 +172,7 @@ fn faces_have_the_neighbours_that_one_sees() {
 }
 
 fn world() -> PlanarMap {
-    planar::world_maps().next().expect("the first is coarse")
+    crate::planar::world_maps().next().expect("the first is coarse")
 }
 
 #[test]

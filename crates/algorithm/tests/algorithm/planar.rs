@@ -4,7 +4,7 @@ use quickcheck::{Arbitrary, Gen};
 use twinedge_formats::layer::{ReadOptions, read_for_map};
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::Snap;
-use twinedge_map::{Builder, Feature, Noding, PlanarMap, Shape};
+use twinedge_map::{Builder, Noding, PlanarMap, Shape};
 
 /// Points, segments and rings with coordinates from 0 to 12.
 #[derive(Clone, Debug)]
