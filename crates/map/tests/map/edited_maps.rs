@@ -9,7 +9,6 @@ use twinedge_algorithm::claims::{faces_of, leaks};
 use twinedge_algorithm::contour::{Contour, ContourError, of_feature, of_features};
 use twinedge_algorithm::neighbours;
 use twinedge_algorithm::overlay::{Operand, overlay};
-use twinedge_formats::io;
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::Snap;
 use twinedge_map::{Builder, FeatureId, Located, PlanarMap};
