@@ -1,6 +1,6 @@
 //! The memory used to read GeoJSON, counted by the allocator.
 
-use crate::counting::{LIVE_BYTES, PEAK_BYTES};
+use crate::peak;
 use ::geojson::{GeometryValue, Position};
 use std::io::{self, Read};
 use twinedge_formats::io::ReadError;
@@ -35,22 +35,22 @@ fn measure(head: &str, part: &str, tail: &str) -> ([usize; 2], usize, usize) {
     let left = SIZE / part.len() + 1;
     let size = head.len() + left * part.len() + tail.len();
     let text = Repeated { head: head.as_bytes(), part: part.as_bytes(), left, tail: tail.as_bytes() };
-    let before = LIVE_BYTES.get();
-    PEAK_BYTES.set(before);
     let (mut features, mut positions) = (0, 0);
     let count = |line: &Vec<Position>| line.iter().filter(|position| position.len() >= 2).count();
-    read_parts(text, Documents::One, |part| {
-        let Part::Feature(feature) = part else { return Ok(()) };
-        features += 1;
-        positions += match feature.geometry.map(|geometry| geometry.value) {
-            Some(GeometryValue::Polygon { coordinates: rings }) => rings.iter().map(count).sum(),
-            Some(GeometryValue::LineString { coordinates: line }) => count(&line),
-            _ => 0,
-        };
-        Ok::<_, ReadError>(())
-    })
-    .unwrap();
-    ([features, positions], size, (PEAK_BYTES.get() - before).cast_unsigned())
+    let peak = peak(|| {
+        read_parts(text, Documents::One, |part| {
+            let Part::Feature(feature) = part else { return Ok(()) };
+            features += 1;
+            positions += match feature.geometry.map(|geometry| geometry.value) {
+                Some(GeometryValue::Polygon { coordinates: rings }) => rings.iter().map(count).sum(),
+                Some(GeometryValue::LineString { coordinates: line }) => count(&line),
+                _ => 0,
+            };
+            Ok::<_, ReadError>(())
+        })
+        .unwrap();
+    });
+    ([features, positions], size, peak)
 }
 
 /// Features are not kept: many need no more memory than one.
