@@ -23,7 +23,7 @@
 //! # Ok::<(), twinedge::dcel::OperatorError>(())
 //! ```
 //!
-//! A lecture for browsers explains the records step by step, and demonstrates these operators on a picture: see `web/README.md` in
+//! A lecture for browsers explains the records step by step, and demonstrates these operators on a picture: see `bindings/web/README.md` in
 //! the repository.
 //!
 //! # Reading

@@ -16,11 +16,11 @@ static IMPORTS: LazyLock<Imports> = LazyLock::new(|| {
     let mut all: Vec<Crate> = Vec::new();
     for manifest in [
         "Cargo.toml",
-        "capi/Cargo.toml",
+        "bindings/c/Cargo.toml",
         "fuzz/Cargo.toml",
-        "python/Cargo.toml",
+        "bindings/python/Cargo.toml",
         "tests/peers/Cargo.toml",
-        "web/Cargo.toml",
+        "bindings/web/Cargo.toml",
     ] {
         all.extend(crates(&root.join(manifest)).expect("Cargo lists the crates"));
     }

@@ -17,6 +17,7 @@
 //! Lines and points are neither cut nor moved.
 
 mod dimensions;
+mod extent;
 mod fillers;
 mod gaps_to;
 mod missing;
@@ -41,8 +42,9 @@ use twinedge_geometry::Point;
 use twinedge_geometry::noding::{NodingSummary, Snap};
 use twinedge_map::{BuildError, Builder, Noding, PlanarMap};
 
+pub use extent::Extent;
 pub use gaps_to::{GapsTo, GapsToError};
-pub use neighbourhoods::{Extent, Neighbourhoods, Source, TooLarge, clean_neighbourhoods};
+pub use neighbourhoods::{Neighbourhoods, Source, TooLarge, clean_neighbourhoods};
 #[cfg(feature = "geojson")]
 pub(super) use rebuild::Bounds;
 pub use rebuild::is_tidy;

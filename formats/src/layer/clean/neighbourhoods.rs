@@ -19,7 +19,7 @@
 //! within a cell of each other may merge there and stay distinct here.
 
 use super::super::model::{Feature, Layer};
-use super::rebuild::polygons_of;
+use super::extent::{Extent, around};
 use super::{CleanError, CleanOptions, CleanReport, clean_part};
 use rstar::primitives::{GeomWithData, Rectangle};
 use rstar::{AABB, RTree};
@@ -30,15 +30,6 @@ use twinedge_geometry::noding::Snap;
 
 /// The margin around windows, by the largest coordinate: 64 cells of the finest grid.
 const MARGIN: f64 = 64.0 / Snap::AUTO_CELLS as f64;
-
-/// The extent of a feature's polygons: the corners of their box, and the number of their vertices.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Extent {
-    /// The box; `None` if there are no polygons.
-    pub corners: Option<[Point; 2]>,
-    /// The number of vertices.
-    pub vertices: u32,
-}
 
 /// Features that are read on demand.
 pub trait Source {
@@ -173,32 +164,6 @@ pub fn clean_neighbourhoods<S: Source>(
     Ok(windows.finish(source.extents(), options))
 }
 
-impl Extent {
-    /// Returns the corners of the box around several extents. O(extents).
-    #[must_use]
-    pub fn around(all: &[Self]) -> Option<[Point; 2]> {
-        around(all.iter().filter_map(|extent| extent.corners))
-    }
-
-    /// Returns the largest absolute coordinate of several extents, 0 without any. O(extents).
-    #[must_use]
-    pub fn largest(all: &[Self]) -> f64 {
-        let corners = Self::around(all).into_iter().flatten();
-        corners.fold(0.0, |most: f64, p| most.max(p.x.abs()).max(p.y.abs()))
-    }
-
-    /// Returns the extent of a feature's polygons. O(vertices).
-    #[must_use]
-    pub fn of(feature: &Feature) -> Self {
-        let polygons = feature.geometry.as_ref().map(polygons_of).unwrap_or_default();
-        let points = || polygons.iter().flatten().flatten();
-        Self {
-            corners: around(points().map(|p| [*p, *p])),
-            vertices: u32::try_from(points().count()).unwrap_or(u32::MAX),
-        }
-    }
-}
-
 enum State {
     Open,
     Cleaned(Box<CleanReport>, u64),
@@ -315,10 +280,6 @@ fn known([low, high]: [Point; 2], number: usize) -> Known {
 
 fn envelope([low, high]: [Point; 2]) -> AABB<[f64; 2]> {
     AABB::from_corners([low.x, low.y], [high.x, high.y])
-}
-
-fn around(boxes: impl Iterator<Item = [Point; 2]>) -> Option<[Point; 2]> {
-    boxes.reduce(|[a, b], [c, d]| [Point::new(a.x.min(c.x), a.y.min(c.y)), Point::new(b.x.max(d.x), b.y.max(d.y))])
 }
 
 /// Returns a box with the margin for this largest coordinate: points in it may move by a cell.
