@@ -161,12 +161,6 @@ impl Format {
         !matches!(self, Self::GeoJson | Self::GeoJsonSeq | Self::Wkt)
     }
 
-    /// Returns true if the format needs real files: it consists of several, or cannot be streamed.
-    #[must_use]
-    pub const fn needs_file(self) -> bool {
-        matches!(self, Self::Shapefile | Self::GeoPackage | Self::GeoParquet)
-    }
-
     /// Returns true if the format defines the direction of rings. RFC 7946 does, and so does Esri's description of Shapefiles,
     /// whose rings are turned on reading. "Simple feature access" (OGC 06-103r4 and 06-104r4), the basis of well-known text,
     /// well-known binary and `GeoPackage`, leaves it open, and so do `FlatGeobuf`, `GeoParquet` and `TopoJSON`.
