@@ -130,7 +130,7 @@
 extern crate alloc;
 
 #[forbid(unsafe_code)]
-mod slots;
+mod numbers;
 
 #[forbid(unsafe_code)]
 pub mod validate;

@@ -1,7 +1,7 @@
 //! 32-bit slots, the links stored in them, the lists of inner boundary components, and the limits on records.
 
 use super::issuer::with_room;
-use crate::slots::NIL;
+use crate::numbers::NIL;
 use alloc::vec::Vec;
 use core::fmt;
 

@@ -24,21 +24,15 @@
 //! removed records are logged, since the slot may be reused. The contents of vacant slots are logged if a change starts while others
 //! can be redone: the change may fail, and the others must remain.
 
+use super::columns::RecordKind;
 use super::issuer::{Issuer, structure_offset};
 use alloc::boxed::Box;
 use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
 use core::ops::Range;
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
-    Vertex,
-    Edge,
-    Boundary,
-    Face,
-}
-
-pub(super) const KINDS: [Kind; 4] = [Kind::Vertex, Kind::Edge, Kind::Boundary, Kind::Face];
+pub(super) const KINDS: [RecordKind; 4] =
+    [RecordKind::Vertex, RecordKind::Edge, RecordKind::Boundary, RecordKind::Face];
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Written {
@@ -53,11 +47,11 @@ pub(crate) enum Written {
     Place,
     Outer,
     /// A slot issued for the first time. The number is the generation that it gets.
-    New(Kind),
+    New(RecordKind),
     /// A slot issued again. The number is the other generation.
-    Issued(Kind),
+    Issued(RecordKind),
     /// A retired slot. The number is the other generation.
-    Retired(Kind),
+    Retired(RecordKind),
     /// An entry appended to the list of a face. The number is the boundary component.
     Listed,
     /// An entry removed from the list of a face. The boundary component keeps, or regains, its place.
@@ -176,9 +170,9 @@ impl Log {
                 Written::Origin => edges.push((slot & !1) as usize),
                 Written::VertexLink => vertices.push(*slot as usize),
                 Written::New(kind) | Written::Issued(kind) | Written::Retired(kind) => match kind {
-                    Kind::Edge => edges.push(2 * *slot as usize),
-                    Kind::Vertex => vertices.push(*slot as usize),
-                    Kind::Boundary | Kind::Face => {}
+                    RecordKind::Edge => edges.push(2 * *slot as usize),
+                    RecordKind::Vertex => vertices.push(*slot as usize),
+                    RecordKind::Boundary | RecordKind::Face => {}
                 },
                 _ => {}
             }
@@ -197,13 +191,13 @@ impl Log {
     }
 
     /// Returns the generation with which a slot is issued next: `generation`, or a later one if its keys must not be issued again.
-    pub(super) fn allowed(&self, kind: Kind, slot: u32, generation: u32) -> u32 {
+    pub(super) fn allowed(&self, kind: RecordKind, slot: u32, generation: u32) -> u32 {
         let floor = self.floors[kind as usize].get(&slot).map(|floor| floor | 1);
         floor.filter(|floor| is_later(*floor, generation)).unwrap_or(generation)
     }
 
     /// Logs an issued slot. Its generation grows if the key must not be issued again.
-    pub(super) fn issued(&mut self, issuer: &mut Issuer, kind: Kind, slot: u32) {
+    pub(super) fn issued(&mut self, issuer: &mut Issuer, kind: RecordKind, slot: u32) {
         let generation = issuer.generation(slot);
         issuer.set_generation(slot, self.allowed(kind, slot, generation));
         let end = &mut self.ends[kind as usize];

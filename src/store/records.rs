@@ -6,13 +6,13 @@ use super::columns::{MOST, MOST_EDGES, VACANT};
 #[cfg(feature = "serde")]
 use super::issuer::Issuer;
 use super::slots::Store;
-use crate::slots::NIL;
+use crate::numbers::NIL;
 #[cfg(feature = "serde")]
 use alloc::vec::Vec;
 
 /// The slots of the records of a restored store, by number.
 #[cfg(feature = "serde")]
-pub(crate) struct Slots {
+pub(crate) struct SavedSlots {
     pub(crate) vertices: Vec<VertexSlot>,
     /// The two half-edges of an edge are adjacent.
     pub(crate) half_edges: Vec<HalfEdgeSlot>,
@@ -30,7 +30,7 @@ pub(crate) trait Numbered {
 }
 
 #[cfg(feature = "serde")]
-impl Numbered for Slots {
+impl Numbered for SavedSlots {
     fn vertex(&self, number: u32) -> VertexSlot {
         self.vertices[number as usize]
     }
@@ -145,7 +145,7 @@ impl Store {
 
     /// Creates a store with these generations, and returns the slots of its live records. The caller sets all links. `None` if no
     /// store can have these generations. O(slots).
-    pub(crate) fn restored(generations: Generations, live: &Live) -> Option<(Self, Slots)> {
+    pub(crate) fn restored(generations: Generations, live: &Live) -> Option<(Self, SavedSlots)> {
         let Generations { offset, vertices, edges, boundaries, faces } = generations;
         let too_many =
             vertices.len() > MOST || edges.len() > MOST_EDGES || boundaries.len() > MOST || faces.len() > MOST;
@@ -163,7 +163,7 @@ impl Store {
         for f in vacant_faces {
             store.outer[f] = VACANT;
         }
-        let slots = Slots {
+        let slots = SavedSlots {
             vertices: live.vertices.iter().copied().map(VertexSlot).collect(),
             half_edges: live.half_edges.iter().copied().map(HalfEdgeSlot).collect(),
             boundaries: live.boundaries.iter().copied().map(BoundarySlot).collect(),

@@ -1,9 +1,10 @@
 //! Writes the log of a store, and replays it for undo and redo.
 
+use super::columns::RecordKind;
 use super::columns::{BoundarySlot, MOST};
 use super::issuer::Issuer;
 use super::keys::{FaceKey, HalfEdgeKey, VertexKey, key};
-use super::log::{Entry, KINDS, Kind, Way, Written};
+use super::log::{Entry, KINDS, Way, Written};
 use super::slots::Store;
 use crate::validate::near::WriteSet;
 use alloc::boxed::Box;
@@ -61,10 +62,10 @@ impl Store {
                     written.boundaries.extend(self.inner.of(entry.slot).last().map(|b| b.index()));
                 }
                 Written::New(kind) | Written::Issued(kind) | Written::Retired(kind) => match kind {
-                    Kind::Vertex => written.vertices.push(slot),
-                    Kind::Edge => written.half_edges.extend([2 * slot, 2 * slot + 1]),
-                    Kind::Boundary => written.boundaries.push(slot),
-                    Kind::Face => written.faces.push(slot),
+                    RecordKind::Vertex => written.vertices.push(slot),
+                    RecordKind::Edge => written.half_edges.extend([2 * slot, 2 * slot + 1]),
+                    RecordKind::Boundary => written.boundaries.push(slot),
+                    RecordKind::Face => written.faces.push(slot),
                 },
                 Written::Listed | Written::Unlisted => {
                     written.faces.push(slot);
@@ -99,14 +100,14 @@ impl Store {
 
     /// Logs an issued slot. Its generation grows if the key must not be issued again.
     #[inline]
-    pub(super) fn note_issued(&mut self, kind: Kind, slot: u32) {
+    pub(super) fn note_issued(&mut self, kind: RecordKind, slot: u32) {
         if self.is_logged() {
             self.log_issued(kind, slot);
         }
     }
 
     #[cold]
-    fn log_issued(&mut self, kind: Kind, slot: u32) {
+    fn log_issued(&mut self, kind: RecordKind, slot: u32) {
         if let Some(mut log) = self.log.0.take() {
             log.issued(self.issuer_mut(kind), kind, slot);
             self.log.0 = Some(log);
@@ -115,27 +116,27 @@ impl Store {
 
     /// The key that the next vertex will have.
     pub(crate) fn next_vertex(&self) -> VertexKey {
-        key(self.vertices.next(), self.next_generation(Kind::Vertex))
+        key(self.vertices.next(), self.next_generation(RecordKind::Vertex))
     }
 
     /// The keys of the two half-edges that the next edge will have.
     pub(crate) fn next_edge(&self) -> [HalfEdgeKey; 2] {
         let h = self.edges.next() << 1;
-        [h, h | 1].map(|h| key(h, self.next_generation(Kind::Edge)))
+        [h, h | 1].map(|h| key(h, self.next_generation(RecordKind::Edge)))
     }
 
     /// The key that the next face will have.
     pub(crate) fn next_face(&self) -> FaceKey {
-        key(self.faces.next(), self.next_generation(Kind::Face))
+        key(self.faces.next(), self.next_generation(RecordKind::Face))
     }
 
-    fn next_generation(&self, kind: Kind) -> u32 {
+    fn next_generation(&self, kind: RecordKind) -> u32 {
         let (slot, generation) = (self.issuer(kind).next(), self.issuer(kind).next_generation());
         self.log.get().map_or(generation, |log| log.allowed(kind, slot, generation))
     }
 
     #[inline]
-    pub(super) fn note_retired(&mut self, kind: Kind, slot: u32) {
+    pub(super) fn note_retired(&mut self, kind: RecordKind, slot: u32) {
         if self.is_logged() {
             let generation = self.issuer(kind).generation(slot);
             self.note(Written::Retired(kind), slot, generation);
@@ -144,24 +145,26 @@ impl Store {
 
     /// Logs the contents of the next slot to be issued, if it was ever used and there are changes to redo.
     #[inline]
-    pub(super) fn save_vacant(&mut self, kind: Kind) {
+    pub(super) fn save_vacant(&mut self, kind: RecordKind) {
         if self.is_logged() {
             self.log_vacant(kind);
         }
     }
 
     #[cold]
-    fn log_vacant(&mut self, kind: Kind) {
+    fn log_vacant(&mut self, kind: RecordKind) {
         if let Some(mut log) = self.log.0.take_if(|log| log.saves_vacant) {
             let edge = 2 * self.edges.next();
             let (columns, slots): (&[Written], _) = match kind {
-                Kind::Vertex => (&[Written::VertexLink], self.vertices.next()..self.vertices.next() + 1),
-                Kind::Edge => (&[Written::Origin, Written::Next, Written::Prev, Written::Boundary], edge..edge + 2),
-                Kind::Boundary => (
+                RecordKind::Vertex => (&[Written::VertexLink], self.vertices.next()..self.vertices.next() + 1),
+                RecordKind::Edge => {
+                    (&[Written::Origin, Written::Next, Written::Prev, Written::Boundary], edge..edge + 2)
+                }
+                RecordKind::Boundary => (
                     &[Written::BoundaryFace, Written::Start, Written::Place],
                     self.boundaries.next()..self.boundaries.next() + 1,
                 ),
-                Kind::Face => (&[], 0..0),
+                RecordKind::Face => (&[], 0..0),
             };
             for slot in slots {
                 for column in columns {
@@ -178,21 +181,21 @@ impl Store {
         KINDS.map(|kind| self.issuer(kind).end())
     }
 
-    const fn issuer(&self, kind: Kind) -> &Issuer {
+    const fn issuer(&self, kind: RecordKind) -> &Issuer {
         match kind {
-            Kind::Vertex => &self.vertices,
-            Kind::Edge => &self.edges,
-            Kind::Boundary => &self.boundaries,
-            Kind::Face => &self.faces,
+            RecordKind::Vertex => &self.vertices,
+            RecordKind::Edge => &self.edges,
+            RecordKind::Boundary => &self.boundaries,
+            RecordKind::Face => &self.faces,
         }
     }
 
-    const fn issuer_mut(&mut self, kind: Kind) -> &mut Issuer {
+    const fn issuer_mut(&mut self, kind: RecordKind) -> &mut Issuer {
         match kind {
-            Kind::Vertex => &mut self.vertices,
-            Kind::Edge => &mut self.edges,
-            Kind::Boundary => &mut self.boundaries,
-            Kind::Face => &mut self.faces,
+            RecordKind::Vertex => &mut self.vertices,
+            RecordKind::Edge => &mut self.edges,
+            RecordKind::Boundary => &mut self.boundaries,
+            RecordKind::Face => &mut self.faces,
         }
     }
 

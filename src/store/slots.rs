@@ -7,8 +7,8 @@ use super::columns::{
 };
 use super::issuer::{Issuer, structure_offset};
 use super::keys::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey, key, parts};
-use super::log::{KeptLog, Kind, Written};
-use crate::slots::NIL;
+use super::log::{KeptLog, Written};
+use crate::numbers::NIL;
 use crate::validate::HalfEdgeColumns;
 use alloc::boxed::Box;
 use alloc::vec::Vec;
@@ -265,17 +265,17 @@ impl Store {
 
     /// Adds a vertex. The caller must have checked room, as for every `add_` method.
     pub(crate) fn add_vertex(&mut self, link: VertexLink<HalfEdgeSlot, BoundarySlot>) -> VertexSlot {
-        self.save_vacant(Kind::Vertex);
+        self.save_vacant(RecordKind::Vertex);
         let slot = self.vertices.issue();
         put(&mut self.vertex_link, slot, vertex_link_bits(link));
-        self.note_issued(Kind::Vertex, slot);
+        self.note_issued(RecordKind::Vertex, slot);
         VertexSlot(slot)
     }
 
     /// Adds an isolated vertex and its inner boundary component.
     pub(crate) fn add_isolated(&mut self, f: FaceSlot) -> (VertexSlot, BoundarySlot) {
-        self.save_vacant(Kind::Vertex);
-        self.save_vacant(Kind::Boundary);
+        self.save_vacant(RecordKind::Vertex);
+        self.save_vacant(RecordKind::Boundary);
         let v = VertexSlot(self.vertices.issue());
         let b = BoundarySlot(self.boundaries.issue());
         put(&mut self.vertex_link, v.0, vertex_link_bits(VertexLink::Isolated(b)));
@@ -283,15 +283,15 @@ impl Store {
         put(&mut self.start, b.0, start_bits(BoundaryStart::Vertex(v)));
         put(&mut self.place, b.0, self.inner.of(f.0).len() as u32);
         self.inner.push(f.0, b);
-        self.note_issued(Kind::Vertex, v.0);
-        self.note_issued(Kind::Boundary, b.0);
+        self.note_issued(RecordKind::Vertex, v.0);
+        self.note_issued(RecordKind::Boundary, b.0);
         self.note(Written::Listed, f.0, b.0);
         (v, b)
     }
 
     /// Adds an edge: two half-edges that are each other's twin, next and prev. Returns the half-edge that leaves `from`.
     pub(crate) fn add_edge(&mut self, from: VertexSlot, to: VertexSlot, b: BoundarySlot) -> HalfEdgeSlot {
-        self.save_vacant(Kind::Edge);
+        self.save_vacant(RecordKind::Edge);
         let edge = self.edges.issue();
         let h = edge << 1;
         for (slot, origin) in [(h, from), (h | 1, to)] {
@@ -300,18 +300,18 @@ impl Store {
             put(&mut self.prev, slot, slot ^ 1);
             put(&mut self.boundary, slot, b.0);
         }
-        self.note_issued(Kind::Edge, edge);
+        self.note_issued(RecordKind::Edge, edge);
         HalfEdgeSlot(h)
     }
 
     /// Adds a boundary component that no face lists yet.
     pub(crate) fn add_boundary(&mut self, f: FaceSlot, start: BoundaryStart<HalfEdgeSlot, VertexSlot>) -> BoundarySlot {
-        self.save_vacant(Kind::Boundary);
+        self.save_vacant(RecordKind::Boundary);
         let slot = self.boundaries.issue();
         put(&mut self.boundary_face, slot, f);
         put(&mut self.start, slot, start_bits(start));
         put(&mut self.place, slot, UNLISTED);
-        self.note_issued(Kind::Boundary, slot);
+        self.note_issued(RecordKind::Boundary, slot);
         BoundarySlot(slot)
     }
 
@@ -320,14 +320,14 @@ impl Store {
         let slot = self.faces.issue();
         put(&mut self.outer, slot, NIL);
         self.inner.add(slot);
-        self.note_issued(Kind::Face, slot);
+        self.note_issued(RecordKind::Face, slot);
         self.note(Written::Outer, slot, VACANT);
         FaceSlot(slot)
     }
 
     pub(crate) fn remove_vertex(&mut self, v: VertexSlot) {
         self.note(Written::VertexLink, v.0, self.vertex_link[v.index()]);
-        self.note_retired(Kind::Vertex, v.0);
+        self.note_retired(RecordKind::Vertex, v.0);
         self.vertices.retire(v.0);
     }
 
@@ -341,7 +341,7 @@ impl Store {
                 (Written::Boundary, h.0, self.boundary[i]),
             ]);
         }
-        self.note_retired(Kind::Edge, h.0 >> 1);
+        self.note_retired(RecordKind::Edge, h.0 >> 1);
         self.edges.retire(h.0 >> 1);
     }
 
@@ -353,14 +353,14 @@ impl Store {
             (Written::BoundaryFace, b.0, self.boundary_face[i].0),
             (Written::Place, b.0, self.place[i]),
         ]);
-        self.note_retired(Kind::Boundary, b.0);
+        self.note_retired(RecordKind::Boundary, b.0);
         self.boundaries.retire(b.0);
     }
 
     /// Removes a face without inner boundary components.
     pub(crate) fn remove_face(&mut self, f: FaceSlot) {
         self.note(Written::Outer, f.0, self.outer[f.index()]);
-        self.note_retired(Kind::Face, f.0);
+        self.note_retired(RecordKind::Face, f.0);
         self.outer[f.index()] = VACANT;
         self.faces.retire(f.0);
     }

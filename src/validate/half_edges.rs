@@ -2,7 +2,7 @@
 
 use super::structure::{HalfEdgeColumns, Link, Part, View};
 use super::subject::Extent;
-use crate::slots::NIL;
+use crate::numbers::NIL;
 
 /// The links of half-edges as numbers. Nil is [`NIL`]; a link past the last slot becomes a number that is no slot.
 pub(crate) trait HalfEdges: Copy {

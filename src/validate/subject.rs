@@ -4,7 +4,7 @@ use super::expectation::{Expectation, Surface};
 use super::findings::{Flow, Halt};
 use super::report::Unchecked;
 use super::structure::{Link, Part, Parts, Start, View};
-use crate::slots::{self, NIL};
+use crate::numbers::{self, NIL};
 use alloc::vec::Vec;
 use core::ops::Range;
 
@@ -316,7 +316,7 @@ impl<'a, V: View + ?Sized> Subject<'a, V> {
 /// # Errors
 /// [`Halt::OutOfMemory`] if memory runs out.
 pub(crate) fn column<T: Clone>(n: u32, value: T) -> Result<Vec<T>, Halt> {
-    slots::column(n as usize, value).ok_or(Halt::OutOfMemory)
+    numbers::column(n as usize, value).ok_or(Halt::OutOfMemory)
 }
 
 #[derive(Clone, Copy)]

@@ -7,11 +7,11 @@ use crate::graph::{Import, Imports};
 
 /// Each layer, and those that it may import. Between files of one layer only loops are refused.
 pub const LAYERS: &[(&str, &[&str])] = &[
-    ("slots", &[]),
-    ("validate", &["slots"]),
-    ("store", &["slots", "validate"]),
-    ("dcel", &["slots", "validate", "store"]),
-    ("program", &["slots", "validate", "store", "dcel"]),
+    ("numbers", &[]),
+    ("validate", &["numbers"]),
+    ("store", &["numbers", "validate"]),
+    ("dcel", &["numbers", "validate", "store"]),
+    ("program", &["numbers", "validate", "store", "dcel"]),
 ];
 
 /// An import of a layer that the importing one may not know.

@@ -2,7 +2,7 @@
 
 use crate::dcel::assemble::Assembly;
 use crate::dcel::structure::Dcel;
-use crate::slots::NIL;
+use crate::numbers::NIL;
 use crate::store::attributes::Kind;
 use crate::store::{
     BoundaryKey, BoundarySlot, BoundaryStart, FaceKey, HalfEdgeKey, HalfEdgeSlot, InOrder, Numbered, Room, Store,

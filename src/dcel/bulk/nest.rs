@@ -15,7 +15,7 @@
 //! linear time together, and the remaining search takes no longer than the longest of them.
 
 use crate::dcel::structure::Dcel;
-use crate::slots::{NIL, Sets};
+use crate::numbers::{NIL, Sets};
 use crate::store::{BoundarySlot, BoundaryStart, FaceSlot, HalfEdgeSlot, Store, VertexLink};
 use alloc::vec;
 use alloc::vec::Vec;

@@ -4,7 +4,7 @@ use super::nest::{Cycle, Group, Groups};
 use crate::dcel::access::OperatorError;
 use crate::dcel::elements::{HalfEdge, Vertex};
 use crate::dcel::structure::Dcel;
-use crate::slots::NIL;
+use crate::numbers::NIL;
 use crate::store::{
     BoundaryKey, BoundarySlot, BoundaryStart, FaceKey, FaceSlot, HalfEdgeKey, HalfEdgeSlot, OUTER, Room, Store,
     VertexKey, VertexLink, VertexSlot,

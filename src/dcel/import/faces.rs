@@ -4,7 +4,7 @@ use super::from_view::{Keys, keys};
 use super::gather::{Numbers, Pieces};
 use crate::dcel::assemble::Assembly;
 use crate::dcel::structure::Dcel;
-use crate::slots::NIL;
+use crate::numbers::NIL;
 use crate::store::{BoundaryStart, RecordKind, VertexLink};
 use alloc::vec;
 use alloc::vec::Vec;

@@ -3,7 +3,7 @@
 use super::error::{ImportError, Outside};
 use super::gather::{Columns, Gather, Numbers};
 use crate::dcel::structure::Dcel;
-use crate::slots::NIL;
+use crate::numbers::NIL;
 use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey};
 use crate::validate::{Collect, Expectation, Part, Parts, Report, View, validate};
 use alloc::boxed::Box;

@@ -5,7 +5,7 @@
 
 use super::error::{ImportError, Outside};
 use crate::dcel::assemble::Assembly;
-use crate::slots::NIL;
+use crate::numbers::NIL;
 use crate::store::{BoundaryStart, RecordKind, VertexLink};
 use crate::validate::{Expectation, Link, Part, Parts, Start, View};
 use alloc::vec;

@@ -5,7 +5,7 @@ use super::gather::{Numbers, Pieces};
 use crate::dcel::assemble::Assembly;
 use crate::dcel::operators::Corner;
 use crate::dcel::structure::Dcel;
-use crate::slots::{NIL, cycles};
+use crate::numbers::{NIL, cycles};
 use crate::store::{BoundaryStart, RecordKind, VertexLink};
 use alloc::vec;
 use alloc::vec::Vec;

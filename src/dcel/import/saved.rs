@@ -4,7 +4,7 @@ use super::error::{ImportError, Outside};
 use super::from_view::import;
 use super::gather::Numbers;
 use crate::dcel::structure::Dcel;
-use crate::slots::NIL;
+use crate::numbers::NIL;
 use crate::store::{Generations, Live, Store};
 use crate::validate::{
     BoundaryPlace, BoundaryRow, Expectation, FaceRow, HalfEdgeRow, Part, Parts, Start, Table, VertexRow,

@@ -69,7 +69,7 @@ struct Search {
     queue: Queue,
 }
 
-enum Step {
+enum WalkStep {
     GoOn,
     FoundOutside,
     Exhausted,
@@ -80,22 +80,22 @@ impl Search {
         Self { at: (first != stop).then_some(first), stop, queue: Queue::new() }
     }
 
-    fn step(&mut self, store: &mut Store) -> Step {
+    fn step(&mut self, store: &mut Store) -> WalkStep {
         let Some(h) = self.at else {
-            let Some(b) = self.queue.take(store) else { return Step::Exhausted };
+            let Some(b) = self.queue.take(store) else { return WalkStep::Exhausted };
             if let BoundaryStart::HalfEdge(start) = store.start(b) {
                 (self.at, self.stop) = (Some(start), start);
             }
-            return Step::GoOn;
+            return WalkStep::GoOn;
         };
         let across = store.boundary(store.twin(h));
         if store.outer(store.face(across)) != Some(across) {
-            return Step::FoundOutside;
+            return WalkStep::FoundOutside;
         }
         self.queue.offer(store, across);
         let next = store.next(h);
         self.at = (next != self.stop).then_some(next);
-        Step::GoOn
+        WalkStep::GoOn
     }
 }
 
@@ -144,14 +144,14 @@ impl Dcel {
         let mut target = Search::along(self.store.next(n), t);
         let which = loop {
             match origin.step(&mut self.store) {
-                Step::GoOn => {}
-                Step::FoundOutside => break OneOfTwo::First,
-                Step::Exhausted => break OneOfTwo::Second,
+                WalkStep::GoOn => {}
+                WalkStep::FoundOutside => break OneOfTwo::First,
+                WalkStep::Exhausted => break OneOfTwo::Second,
             }
             match target.step(&mut self.store) {
-                Step::GoOn => {}
-                Step::FoundOutside => break OneOfTwo::Second,
-                Step::Exhausted => break OneOfTwo::First,
+                WalkStep::GoOn => {}
+                WalkStep::FoundOutside => break OneOfTwo::Second,
+                WalkStep::Exhausted => break OneOfTwo::First,
             }
         };
         origin.queue.clear(&mut self.store);

@@ -1,7 +1,7 @@
 //! A view's half-edges, numbered without gaps, with their cycles and components; and the search for the least code of a connected
 //! map.
 
-use crate::slots::NIL;
+use crate::numbers::NIL;
 use crate::validate::View;
 use alloc::vec::Vec;
 

@@ -38,7 +38,7 @@
 
 mod map;
 
-use crate::slots::NIL;
+use crate::numbers::NIL;
 use crate::validate::{Start, View};
 use alloc::vec::Vec;
 use core::ops::Range;

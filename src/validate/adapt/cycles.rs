@@ -1,6 +1,6 @@
 //! The cycles of a structure, with the face and the component of each, and the inverse of a link between half-edges.
 
-use crate::slots::{NIL, Sets};
+use crate::numbers::{NIL, Sets};
 use crate::validate::structure::{Link, View};
 use crate::validate::subject::column;
 use alloc::vec::Vec;

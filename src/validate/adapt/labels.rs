@@ -4,7 +4,7 @@
 //! parent component is its outer one.
 
 use super::cycles::{Cycles, Groups, entry, filled, fits, live, nils};
-use crate::slots::NIL;
+use crate::numbers::NIL;
 use crate::validate::structure::{HalfEdgeColumns, Link, Part, Parts, Start, View};
 use alloc::vec::Vec;
 

@@ -1,7 +1,7 @@
 //! The cycles of `next`, which must be a permutation, the border loops made of missing twins, and the set of slots that marks both.
 
 use super::rotations::Starts;
-use crate::slots::NIL;
+use crate::numbers::NIL;
 use crate::validate::structure::View;
 use crate::validate::subject::{Extent, Slots};
 use alloc::vec::Vec;

@@ -54,7 +54,7 @@ use super::findings::Halt;
 use super::rules::whole::each_nested_in_itself;
 use super::structure::{Part, View};
 use super::subject::{Extent, Subject, column};
-use crate::slots::NIL;
+use crate::numbers::NIL;
 use alloc::vec::Vec;
 use boundaries::{Boundaries, Inner};
 use rotations::ComponentNumbers;

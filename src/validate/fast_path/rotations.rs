@@ -1,7 +1,7 @@
 //! Walks around the vertices, and where they start: R1 … V2 of half-edges and vertices, and constant names along `next`. Joins the components
 //! edge by edge.
 
-use crate::slots::{NIL, Sets};
+use crate::numbers::{NIL, Sets};
 use crate::validate::half_edges::{Asked, HalfEdges, Lent};
 use crate::validate::structure::{Part, Start, View};
 use crate::validate::subject::{Extent, Subject};

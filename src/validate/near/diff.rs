@@ -2,7 +2,7 @@
 
 use super::column::{Column, Row};
 use super::links::{Face, HalfEdge, Label, LinkReader, Vertex};
-use crate::slots::NIL;
+use crate::numbers::NIL;
 use crate::validate::structure::{Part, View};
 use alloc::vec::Vec;
 

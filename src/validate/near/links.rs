@@ -1,7 +1,7 @@
 //! The links of records as rows of 32-bit numbers, and their reader.
 
 use super::column::Row;
-use crate::slots::NIL;
+use crate::numbers::NIL;
 use crate::validate::expectation::Expectation;
 use crate::validate::structure::{BoundaryPlace, Part, Parts, Start, View};
 

@@ -1,7 +1,7 @@
 //! B1 … F2: boundary components and the faces that list them.
 
 use super::live::{Census, Fan, list_too_long};
-use crate::slots::NIL;
+use crate::numbers::NIL;
 use crate::validate::findings::{Findings, Flow, Halt};
 use crate::validate::half_edges::HalfEdges;
 use crate::validate::report::{Record, Unchecked, Violation};
@@ -188,7 +188,7 @@ pub(crate) fn isolated(subject: Subject<'_>, census: &Census, findings: &mut Fin
     let by_record = subject.has(Part::BoundaryComponents);
     let started: Vec<u32> = column(subject.extent.vertices.count, NIL)?;
     let fans = &census.fans[..];
-    let mut starts = Starts { subject, fans, started, findings: &mut *findings };
+    let mut starts = StartsAtVertices { subject, fans, started, findings: &mut *findings };
     if by_record {
         for b in subject.boundaries() {
             if let Some(Start::Vertex(v)) = subject.view.boundary_start(b) {
@@ -225,14 +225,14 @@ pub(crate) fn isolated(subject: Subject<'_>, census: &Census, findings: &mut Fin
 }
 
 /// Boundary components that start at vertices, or faces that list vertices.
-struct Starts<'a, 'f> {
+struct StartsAtVertices<'a, 'f> {
     subject: Subject<'a>,
     fans: &'f [Fan],
     started: Vec<u32>,
     findings: &'f mut Findings,
 }
 
-impl Starts<'_, '_> {
+impl StartsAtVertices<'_, '_> {
     fn at(&mut self, vertex: usize, by: usize, kind: fn(usize) -> Record) -> Flow {
         if !self.subject.is_vertex(vertex) {
             return Ok(());

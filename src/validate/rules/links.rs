@@ -3,7 +3,7 @@
 //! L1, L2 and L3 share one pass over the half-edges, so that each link is read once for all three.
 
 use super::live::{Census, Fan};
-use crate::slots::NIL;
+use crate::numbers::NIL;
 use crate::validate::findings::{Findings, Flow, Halt, Pass};
 use crate::validate::half_edges::HalfEdges;
 use crate::validate::report::{Unchecked, Violation};

@@ -7,7 +7,7 @@
 //! number of boundary components plus 16 entries. A list that continues breaks R1, because its links cannot be shown to be
 //! live. Without records for boundary components, vertices and half-edges are counted instead.
 
-use crate::slots::NIL;
+use crate::numbers::NIL;
 use crate::validate::findings::{Findings, Flow, Halt};
 use crate::validate::half_edges::HalfEdges;
 use crate::validate::report::{Field, Record, Unchecked, Violation};
@@ -59,7 +59,7 @@ fn note(fans: &mut [Fan], origin: u32, h: u32) {
 }
 
 #[derive(Clone, Copy)]
-enum RecordKind {
+enum Target {
     Vertex,
     HalfEdge,
     Boundary,
@@ -83,12 +83,12 @@ pub(crate) fn live(subject: Subject<'_>, half_edges: impl HalfEdges, findings: &
 }
 
 #[inline]
-fn leads(subject: Subject<'_>, link: usize, kind: RecordKind) -> bool {
+fn leads(subject: Subject<'_>, link: usize, kind: Target) -> bool {
     match kind {
-        RecordKind::Vertex => subject.is_vertex(link),
-        RecordKind::HalfEdge => subject.is_half_edge(link),
-        RecordKind::Boundary => subject.is_boundary(link),
-        RecordKind::Face => subject.is_face(link),
+        Target::Vertex => subject.is_vertex(link),
+        Target::HalfEdge => subject.is_half_edge(link),
+        Target::Boundary => subject.is_boundary(link),
+        Target::Face => subject.is_face(link),
     }
 }
 
@@ -100,7 +100,7 @@ struct Links<'a, 'f> {
 
 impl Links<'_, '_> {
     /// Checks one link; nil is a violation only if the record needs the link.
-    fn check(&mut self, field: Field, link: Link, kind: RecordKind, is_needed: bool) -> Flow {
+    fn check(&mut self, field: Field, link: Link, kind: Target, is_needed: bool) -> Flow {
         let record = self.record;
         match link {
             Some(value) if leads(self.subject, value, kind) => Ok(()),
@@ -112,9 +112,9 @@ impl Links<'_, '_> {
 
     fn check_start(&mut self, field: Field, start: Option<Start>) -> Flow {
         let (link, kind) = match start {
-            Some(Start::Vertex(v)) => (Some(v), RecordKind::Vertex),
-            Some(Start::HalfEdge(h)) => (Some(h), RecordKind::HalfEdge),
-            None => (None, RecordKind::HalfEdge),
+            Some(Start::Vertex(v)) => (Some(v), Target::Vertex),
+            Some(Start::HalfEdge(h)) => (Some(h), Target::HalfEdge),
+            None => (None, Target::HalfEdge),
         };
         self.check(field, link, kind, true)
     }
@@ -163,20 +163,20 @@ fn half_edge(subject: Subject<'_>, h: usize, findings: &mut Findings) -> Flow {
     let Subject { view, extent } = subject;
     let mut links = Links { subject, record: Record::HalfEdge(h), findings };
     let is_closed = !subject.is_open();
-    links.check(Field::Origin, view.origin(h), RecordKind::Vertex, true)?;
+    links.check(Field::Origin, view.origin(h), Target::Vertex, true)?;
     let twin = view.twin(h);
-    links.check(Field::Twin, twin, RecordKind::HalfEdge, is_closed)?;
-    links.check(Field::Next, view.next(h), RecordKind::HalfEdge, true)?;
+    links.check(Field::Twin, twin, Target::HalfEdge, is_closed)?;
+    links.check(Field::Next, view.next(h), Target::HalfEdge, true)?;
     if extent.has(Part::Prev) {
-        links.check(Field::Prev, view.prev(h), RecordKind::HalfEdge, true)?;
+        links.check(Field::Prev, view.prev(h), Target::HalfEdge, true)?;
     }
     if !extent.has(Part::Faces) {
         return Ok(());
     }
     let (field, kind) = if extent.has(Part::BoundaryComponents) {
-        (Field::Boundary, RecordKind::Boundary)
+        (Field::Boundary, Target::Boundary)
     } else {
-        (Field::Face, RecordKind::Face)
+        (Field::Face, Target::Face)
     };
     // At an open boundary only one of the two sides may be missing.
     let is_needed = is_closed || twin.is_none();
@@ -192,11 +192,11 @@ fn vertices(subject: Subject<'_>, fans: &[Fan], findings: &mut Findings) -> Resu
         isolated += usize::from(!is_connected);
         let mut links = Links { subject, record: Record::Vertex(v), findings: &mut *findings };
         if subject.has(Part::Leaving) {
-            links.check(Field::Leaving, subject.view.leaving(v), RecordKind::HalfEdge, is_connected)?;
+            links.check(Field::Leaving, subject.view.leaving(v), Target::HalfEdge, is_connected)?;
         }
         if names_boundary {
             // B2 decides whether a vertex without half-edges may lack it.
-            links.check(Field::Isolated, subject.view.isolated(v), RecordKind::Boundary, false)?;
+            links.check(Field::Isolated, subject.view.isolated(v), Target::Boundary, false)?;
         }
     }
     (findings.counts.vertices, findings.counts.isolated_vertices) = (live, isolated);
@@ -210,7 +210,7 @@ fn boundaries(subject: Subject<'_>, findings: &mut Findings) -> Result<usize, Ha
     for b in subject.boundaries() {
         live += 1;
         let mut links = Links { subject, record: Record::Boundary(b), findings: &mut *findings };
-        links.check(Field::Face, subject.view.boundary_face(b), RecordKind::Face, true)?;
+        links.check(Field::Face, subject.view.boundary_face(b), Target::Face, true)?;
         links.check_start(Field::Start, subject.view.boundary_start(b))?;
     }
     findings.checked(Rule::R1, live as u64 * 2);
@@ -219,7 +219,7 @@ fn boundaries(subject: Subject<'_>, findings: &mut Findings) -> Result<usize, Ha
 
 fn faces(subject: Subject<'_>, mut budget: usize, findings: &mut Findings) -> Flow {
     let by_record = subject.has(Part::BoundaryComponents);
-    let outer_kind = if by_record { RecordKind::Boundary } else { RecordKind::HalfEdge };
+    let outer_kind = if by_record { Target::Boundary } else { Target::HalfEdge };
     let (mut live, mut entries) = (0, 0);
     for f in subject.faces() {
         live += 1;
@@ -229,7 +229,7 @@ fn faces(subject: Subject<'_>, mut budget: usize, findings: &mut Findings) -> Fl
         links.check(Field::Outer, subject.outer(f), outer_kind, false)?;
         for i in 0..listed {
             if by_record {
-                links.check(Field::Inner(i), subject.view.inner(f, i), RecordKind::Boundary, true)?;
+                links.check(Field::Inner(i), subject.view.inner(f, i), Target::Boundary, true)?;
             } else {
                 links.check_start(Field::Inner(i), subject.view.inner_start(f, i))?;
             }

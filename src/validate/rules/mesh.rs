@@ -2,7 +2,7 @@
 
 use super::live::Census;
 use super::whole::borders_broken;
-use crate::slots::NIL;
+use crate::numbers::NIL;
 use crate::validate::findings::{Findings, Flow};
 use crate::validate::report::{Field, Record, Unchecked, Violation};
 use crate::validate::rule::Rule;

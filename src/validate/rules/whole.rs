@@ -1,6 +1,6 @@
 //! T1 … T4: containment and Euler's formula, and the required counts of cycles.
 
-use crate::slots::NIL;
+use crate::numbers::NIL;
 use crate::validate::findings::{Findings, Flow, Halt};
 use crate::validate::half_edges::HalfEdges;
 use crate::validate::report::{Bounds, Record, Unchecked, Violation};
