@@ -153,7 +153,7 @@ fn check_frame(text: &str, line: usize) -> Result<(), ReadError> {
 /// [`WriteError::NotFinite`], before anything is written, and [`WriteError::Io`].
 ///
 /// ```
-/// use twinedge_map::Feature;
+/// use twinedge_map::{Feature, Shape};
 /// use twinedge_formats::io::wkt;
 ///
 /// let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 0.5], [0.0, 0.0]];
