@@ -4,7 +4,7 @@ use super::json_head::JsonHead;
 use core::fmt;
 use std::path::Path;
 
-/// A format of maps and layers. [`read`](super::read()) reads the text formats; `twinedge-formats` reads all, with attributes.
+/// A format of maps and layers. [`layer::read`](crate::layer::read()) reads all, with attributes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[expect(clippy::exhaustive_enums, reason = "the compiler names what a new format needs, in other crates, too")]
 pub enum Format {
