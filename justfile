@@ -12,10 +12,6 @@ run:
 nightly:
     .ci/nightly
 
-# Draws the pictures of the documentation again
-pictures:
-    UPDATE_PICTURES=1 cargo test --test pictures
-
 # A benchmark, such as `just bench validation`
 bench name:
     cargo bench -p twinedge-benches --bench {{name}}

@@ -90,18 +90,13 @@ fn drawing(criterion: &mut Criterion) {
 
 /// The map, snapped to a fine grid.
 fn drawn_map() -> PlanarMap {
-    let mut features = Vec::new();
-    match std::env::var_os("MAP") {
-        None => features = common::world_50m_features(),
+    let features = match std::env::var_os("MAP") {
+        None => common::world_50m_features(),
         Some(path) => {
-            let file = std::fs::File::open(path).expect("MAP is a file");
-            let read = twinedge_formats::io::geojson::read(file, |feature| {
-                features.push(feature);
-                Ok::<(), twinedge_formats::io::ReadError>(())
-            });
-            read.expect("MAP is GeoJSON");
+            let mut file = std::fs::File::open(path).expect("MAP is a file");
+            twinedge_formats::layer::read_for_map(&mut file, &Default::default()).expect("MAP is GeoJSON").0
         }
-    }
+    };
     let mut builder = Builder::new();
     for feature in &features {
         builder.feature(feature).expect("longitudes and latitudes are in range");

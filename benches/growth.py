@@ -20,7 +20,7 @@ matplotlib.rcParams.update({"svg.hashsalt": "twinedge", "svg.fonttype": "none", 
 import matplotlib.pyplot as plt  # noqa: E402
 
 HERE = pathlib.Path(__file__).resolve().parent
-PER_POINT = {"locate": "ns per point", "node": "ns per segment", "edit": "ns per operator"}
+PER_POINT = {"node": "ns per segment", "edit": "ns per operator"}
 
 
 def results(folder):

@@ -7,10 +7,6 @@
 //! - `build`: a triangulation of random points from its segments, on one thread and on all, against sorting these.
 //! - `node`: random segments that each cross about two others, on one thread and on all, against `i_overlay`'s union of
 //!   an equal number of triangles around them, which also cuts.
-//! - `index`: a `Locator` of the triangulation, on one thread and on all, against `spade`'s triangulation of the same
-//!   points, with its hierarchy of hints. `spade`'s is easier, as it has no required edges; `location` has the same
-//!   with all edges as constraints.
-//! - `locate`: random points in it, against `spade`, and against `geo`'s polygons in an R-tree of `rstar`; per point.
 //! - `edit`: an edge of the grid split and joined again, with validation after each (`Audited`), against none; per
 //!   operator.
 //!
@@ -21,13 +17,10 @@ mod common;
 
 use common::{PlainArrays, triangulated_grid};
 use criterion::measurement::WallTime;
-use criterion::{BatchSize, BenchmarkGroup, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use geo::{Contains, Coord, LineString, Polygon};
+use criterion::{BenchmarkGroup, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use i_overlay::core::fill_rule::FillRule;
 use i_overlay::float::simplify::SimplifyShape;
 use rayon::{ThreadPool, ThreadPoolBuilder};
-use rstar::primitives::{GeomWithData, Rectangle};
-use rstar::{AABB, RTree};
 use spade::{ConstrainedDelaunayTriangulation, HierarchyHintGenerator, Point2, Triangulation};
 use std::hint::black_box;
 use std::time::Duration;
@@ -35,7 +28,7 @@ use twinedge::dcel::{Audited, Dcel, Face, HalfEdge, HalfEdgeKey, Vertex};
 use twinedge::validate::{Collect, Expectation, validate};
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::{Snap, node};
-use twinedge_map::{Builder, Locator, PlanarMap};
+use twinedge_map::{Builder, PlanarMap};
 
 type Hierarchy = ConstrainedDelaunayTriangulation<Point2<f64>, (), (), (), HierarchyHintGenerator<f64>>;
 
@@ -206,53 +199,7 @@ fn of_triangulations(criterion: &mut Criterion) {
         group.bench_function(BenchmarkId::new("twinedge", size), |b| b.iter(|| one.install(|| build(&segments))));
         group.bench_function(BenchmarkId::new("twinedge, all threads", size), |b| b.iter(|| build(&segments)));
         group.finish();
-
-        let mut group = self::group(criterion, "index", size);
-        group.bench_function(BenchmarkId::new("spade, without constraints", size), |b| {
-            b.iter(|| triangulated(black_box(&points)));
-        });
-        let index = || Locator::new(black_box(&map));
-        group.bench_function(BenchmarkId::new("twinedge", size), |b| b.iter(|| one.install(index)));
-        group.bench_function(BenchmarkId::new("twinedge, all threads", size), |b| b.iter(index));
-        group.finish();
-
-        locate(criterion, &map, &triangulation);
     }
-}
-
-fn locate(criterion: &mut Criterion, map: &PlanarMap, triangulation: &Hierarchy) {
-    let size = map.dcel().half_edge_count();
-    let locator = Locator::new(map).expect("it is plane");
-    let polygon = |f: Face<'_>| {
-        let at = |h: HalfEdge<'_>| map.position(h.origin().key()).expect("of this map");
-        let corners: Vec<Coord<f64>> = f.outer()?.half_edges().map(at).map(|p| Coord { x: p.x, y: p.y }).collect();
-        let ends: Vec<[f64; 2]> = corners.iter().map(|c| [c.x, c.y]).collect();
-        let around = Rectangle::from_aabb(AABB::from_points(&ends));
-        Some(GeomWithData::new(around, (f.key(), Polygon::new(LineString::new(corners), Vec::new()))))
-    };
-    let tree = RTree::bulk_load(map.dcel().faces().filter_map(polygon).collect());
-    let queries: Vec<Point> = random_points(110_000).split_off(100_000);
-
-    let mut group = group(criterion, "locate", 1);
-    let mut next = (0..queries.len()).cycle().map(|i| queries[i]);
-    let mut ask = || next.next().expect("a cycle");
-    group.bench_function(BenchmarkId::new("geo and rstar", size), |b| {
-        b.iter_batched(
-            &mut ask,
-            |p| {
-                let at = Coord { x: p.x, y: p.y };
-                tree.locate_all_at_point([p.x, p.y]).find(|found| found.data.1.contains(&at)).map(|found| found.data.0)
-            },
-            BatchSize::SmallInput,
-        );
-    });
-    group.bench_function(BenchmarkId::new("spade", size), |b| {
-        b.iter_batched(&mut ask, |p| triangulation.locate(Point2::new(p.x, p.y)), BatchSize::SmallInput);
-    });
-    group.bench_function(BenchmarkId::new("twinedge", size), |b| {
-        b.iter_batched(&mut ask, |p| locator.locate(p), BatchSize::SmallInput);
-    });
-    group.finish();
 }
 
 fn noding(criterion: &mut Criterion) {

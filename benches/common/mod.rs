@@ -177,14 +177,8 @@ impl Mesh {
 
 /// The features of `world-50m`.
 pub fn world_50m_features() -> Vec<Feature> {
-    let file = include_bytes!("../../tests/data/world-50m.geojson");
-    let mut features = Vec::new();
-    twinedge_formats::io::geojson::read(file.as_slice(), |feature| {
-        features.push(feature);
-        Ok::<(), twinedge_formats::io::ReadError>(())
-    })
-    .expect("the file is GeoJSON");
-    features
+    let mut file: &[u8] = include_bytes!("../../tests/data/world-50m.geojson");
+    twinedge_formats::layer::read_for_map(&mut file, &Default::default()).expect("the file is GeoJSON").0
 }
 
 /// The map of `world-50m`.

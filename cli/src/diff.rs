@@ -13,8 +13,6 @@ use twinedge_report::Compared;
 ///
 /// Findings are known by their ids: the rule, the features by their ids or names, and the place. A finding has changed if it has other
 /// measures. A report that does not list all that was found, or whose audit did not end, is refused.
-///
-/// Differences of two maps, not of their findings, are in the library: `twinedge_map::diff`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   twinedge audit --coverage may.shp --list 1000000 -o may.json

@@ -4,9 +4,9 @@ use arbitrary::Unstructured;
 use std::collections::BTreeSet;
 use twinedge::program::choose::Choose;
 use twinedge::validate::Rule;
-use twinedge_formats::io::geojson::Documents;
-use twinedge_formats::io::{ReadError, ReadSummary, geojson};
-use twinedge_formats::layer::{self, Format, ReadOptions, format_of};
+use twinedge_formats::io::ReadError as TextError;
+use twinedge_formats::io::geojson::{self, Documents, Part};
+use twinedge_formats::layer::{Format, ReadError, ReadOptions, format_of, read_for_map};
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::Snap;
 use twinedge_geometry::predicates::{Meeting, in_range, meeting, on_segment};
@@ -250,56 +250,40 @@ impl std::io::Read for Dripping<'_> {
 /// Passes any bytes to the reader of GeoJSON, in one piece and in small ones, and its features to the builder.
 ///
 /// # Panics
-/// If the pieces make a difference, `twinedge-formats` reads something else, an error names a position outside the
-/// input, or the map is not as for [`segments`].
+/// If the pieces make a difference, the reader that cuts features out of the text finds another error than the plain
+/// reader, an error names a position outside the input, or the map is not as for [`segments`].
 pub fn geojson(bytes: &[u8]) {
-    let mut features = Vec::new();
-    let outcome = geojson::read(bytes, |feature| {
-        features.push(feature);
-        Ok::<_, ReadError>(())
-    });
-    let mut dripped = Vec::new();
-    let again = geojson::read(Dripping(bytes), |feature| {
-        dripped.push(feature);
-        Ok::<_, ReadError>(())
-    });
+    let options = ReadOptions { format: Some(Format::GeoJson), ..ReadOptions::default() };
+    if !format_of(bytes, None, &options).is_ok_and(|format| format == Format::GeoJson) {
+        return;
+    }
+    let outcome = read_for_map(&mut { bytes }, &options);
+    let again = read_for_map(&mut Dripping(bytes), &options);
     assert_eq!(format!("{outcome:?}"), format!("{again:?}"), "the size of the pieces makes a difference");
-    assert_eq!(features, dripped, "the size of the pieces makes a difference");
-    match outcome {
-        Ok(summary) => {
-            assert_eq!(summary.features, features.len());
+    let mut count = 0;
+    let plain = geojson::read_parts(bytes, Documents::One, |part| {
+        count += usize::from(matches!(part, Part::Feature(_)));
+        Ok::<_, TextError>(())
+    });
+    let mut features = match (outcome, plain) {
+        (Ok((features, summary)), Ok(())) => {
+            assert_eq!((summary.features, features.len()), (count, count));
             assert_eq!(summary.positions, features.iter().flat_map(points).count());
+            features
         }
-        Err(error) => {
+        (Err(ReadError::Text(error)), Err(plain)) => {
+            assert_eq!(error.to_string(), plain.to_string());
             let lines = bytes.split(|byte| *byte == b'\n').count();
             let place = error.place;
             assert!(
                 (1..=lines).contains(&place.line) && place.column.is_some_and(|column| column <= bytes.len() + 1),
                 "{error}"
             );
+            return;
         }
-    }
-    as_one_by_one(bytes, &features);
+        (outcome, plain) => panic!("{outcome:?}, but {plain:?}"),
+    };
     let mut builder = Builder::new();
     features.retain(|feature| takes(&mut builder, feature));
     built(builder, &features);
-}
-
-/// Checks that the reader of `twinedge-formats`, which cuts features out of the text, finds these features, or the
-/// error that the library finds.
-fn as_one_by_one(mut bytes: &[u8], features: &[Feature]) {
-    let options = ReadOptions { format: Some(Format::GeoJson), ..ReadOptions::default() };
-    if format_of(bytes, None, &options).is_ok_and(|format| format == Format::GeoJson) {
-        let expected = geojson::read_parts(bytes, Documents::One, |_| Ok::<_, ReadError>(()));
-        let mut found = Vec::new();
-        let outcome = layer::read(&mut bytes, None, &options, &mut |feature| {
-            found.push(layer::to_map(&feature, &mut ReadSummary::default()));
-            Ok(())
-        });
-        assert_eq!(outcome.is_ok(), expected.is_ok());
-        match (outcome, expected) {
-            (Err(error), Err(expected)) => assert_eq!(error.to_string(), expected.to_string()),
-            _ => assert_eq!(found, features, "features that are cut out are others"),
-        }
-    }
 }

@@ -3,7 +3,7 @@
 use super::access::{OperatorError, StaleKey};
 use super::import::Keys;
 use super::structure::Dcel;
-use crate::store::attributes::{Attribute, Attributed, Attributes, Edges, Faces, Kind, Policy, Value};
+use crate::store::attributes::{Attribute, Attributed, Attributes, Edges, Kind, Policy, Value};
 use crate::store::{FaceKey, HalfEdgeKey, VertexKey};
 use alloc::boxed::Box;
 use alloc::vec::Vec;
@@ -283,21 +283,6 @@ impl Dcel {
     ) -> Result<Option<T>, OperatorError> {
         let attributes = self.attributes_to_change().ok_or(OperatorError::NoSuchAttribute)?;
         attributes.put(of, key, value).map_err(|()| OperatorError::NoSuchAttribute)
-    }
-
-    /// Distributes the values of other records to the faces that they cover: each value with the faces of its record, the largest
-    /// first, and their areas. The policy splits a value among several faces, and merges several values in one face. O(faces).
-    ///
-    /// # Errors
-    /// [`OperatorError::Refused`] by the policy; [`OperatorError::NoSuchAttribute`]. On error nothing changes.
-    pub fn spread_values<T: Value>(
-        &mut self,
-        to: Attribute<Faces, T>,
-        values: Vec<(T, Vec<(KeyData, f64)>)>,
-    ) -> Result<(), OperatorError> {
-        let attributes = self.attributes_to_change().ok_or(OperatorError::NoSuchAttribute)?;
-        let spread = attributes.spread(to, values).map_err(|()| OperatorError::NoSuchAttribute)?;
-        spread.map_err(OperatorError::Refused)
     }
 
     /// Returns the attributes, if there are any, at the beginning of a change. Unless the change is logged, the log of earlier values

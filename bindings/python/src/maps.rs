@@ -16,7 +16,7 @@ use twinedge_algorithm::overlay::{Operand, overlay};
 use twinedge_formats::svg;
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::Snap;
-use twinedge_map::{FeatureId, Located, Locator, PlanarMap, validate_embedding};
+use twinedge_map::{FeatureId, Located, PlanarMap, validate_embedding};
 use twinedge_report::{Imported, Keep, MapOptions, Units, borders};
 
 /// With details, a picture of more half-edges than this is not legible.
@@ -96,8 +96,6 @@ impl Map {
         let map = self.plane()?;
         py.detach(|| {
             let failed = |error: &dyn std::fmt::Display| PyValueError::new_err(error.to_string());
-            let points: Vec<Point> = points.into_iter().map(Point::from).collect();
-            let found = Locator::new(map).map_err(|error| failed(&error))?.locate_all(&points);
             let place = |located: Located| {
                 let mut features = BTreeSet::new();
                 let kind = match located {
@@ -120,7 +118,8 @@ impl Map {
                 };
                 (kind, features.into_iter().map(FeatureId::index).collect())
             };
-            found.into_iter().map(|one| one.map(place).map_err(|error| failed(&error))).collect()
+            let found = points.into_iter().map(|p| map.locate(Point::from(p)));
+            found.map(|one| one.map(place).map_err(|error| failed(&error))).collect()
         })
     }
 

@@ -5,7 +5,7 @@ use crate::output::{Failure, Format, print_answer, print_json};
 use serde::Serialize;
 use twinedge::dcel::{FaceKey, HalfEdgeKey, StaleKey, VertexKey};
 use twinedge_geometry::Point;
-use twinedge_map::{FeatureId, Located, Locator, PlanarMap};
+use twinedge_map::{FeatureId, Located, PlanarMap};
 use twinedge_report::names::label;
 
 /// Tell what lies at a point: a face, an edge or a vertex. The answer is exact.
@@ -39,7 +39,7 @@ struct PlaceAnswer<'a> {
 impl At {
     pub(super) fn answer(&self, asked: &Source) -> Result<(), Failure> {
         let Source { input, map, .. } = asked;
-        let found = match Locator::new(map)?.locate(Point::new(self.x, self.y))? {
+        let found = match map.locate(Point::new(self.x, self.y))? {
             Located::Face(key) => Record::face(map, key),
             Located::Edge(key) => Record::edge(map, key),
             Located::Vertex(key) => Record::vertex(map, key),

@@ -6,7 +6,7 @@ use crate::output::{Failure, Format, print_answer, print_json};
 use clap::ValueEnum;
 use serde::Serialize;
 use twinedge_geometry::Point;
-use twinedge_map::{Locator, QueryLine, ZoneElement};
+use twinedge_map::{QueryLine, ZoneElement};
 
 /// The faces, edges and vertices that a line meets, in order.
 #[derive(Debug, clap::Args)]
@@ -79,7 +79,7 @@ impl Line {
             Extent::Ray => QueryLine::Ray(from, to),
             Extent::Line => QueryLine::Line(from, to),
         };
-        let zone = Locator::new(map)?.zone(&stretch)?;
+        let zone = map.zone(&stretch)?;
         let steps = zone.into_iter().map(|met| {
             let record = match met {
                 ZoneElement::Face(key) => Record::face(map, key),

@@ -10,7 +10,7 @@
 //! ZAMM 54 (1974) 39-51.
 
 use super::claims::faces_of;
-use twinedge::dcel::{Boundary, BoundaryKey, FaceKey, HalfEdge, StaleKey};
+use twinedge::dcel::{Boundary, FaceKey, HalfEdge, StaleKey};
 use twinedge_geometry::Point;
 use twinedge_map::{Embedding, FeatureId, PlanarMap};
 
@@ -74,27 +74,6 @@ pub fn ring_area(ring: impl IntoIterator<Item = Point>) -> f64 {
 
 pub(super) fn boundary(map: &PlanarMap, boundary: Boundary<'_>) -> f64 {
     ring_area(boundary.half_edges().map(HalfEdge::origin).map(|v| map.point(v.index())))
-}
-
-/// Returns the signed area inside a boundary component: positive for an outer one, negative for a hole, 0 for an isolated vertex
-/// or a hole that is only a line. O(its half-edges).
-///
-/// ```
-/// use twinedge_algorithm::area::boundary_area;
-/// use twinedge_map::PlanarMap;
-///
-/// let mut map = PlanarMap::new();
-/// map.insert_ring([[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]])?;
-/// let areas: Vec<f64> = map.dcel().boundaries().map(|b| boundary_area(&map, b.key()).unwrap()).collect();
-/// // Its two sides: the outer boundary of the triangle, and the hole that it is in the plane.
-/// assert!(areas.contains(&2.0) && areas.contains(&-2.0));
-/// # Ok::<(), twinedge_map::edit::EditError>(())
-/// ```
-///
-/// # Errors
-/// [`StaleKey::Boundary`].
-pub fn boundary_area(map: &PlanarMap, key: BoundaryKey) -> Result<f64, StaleKey> {
-    Ok(boundary(map, map.dcel().boundary(key)?))
 }
 
 /// Returns the area of a face, without its holes; infinite for the unbounded face. O(its half-edges).

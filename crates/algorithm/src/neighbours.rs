@@ -180,38 +180,6 @@ fn neighbour_feature(map: &PlanarMap, other: FeatureId, border: &[HalfEdge<'_>])
     Neighbour { shared: shared.value(), ..neighbour(map, other, border) }
 }
 
-/// Returns the faces that meet a face only at a vertex, in order of their indices. O(n log n) for n half-edges there.
-///
-/// ```
-/// use twinedge_algorithm::neighbours::touching_face;
-/// use twinedge_map::PlanarMap;
-///
-/// // Two triangles that share a corner, and one that shares an edge with the first.
-/// let mut map = PlanarMap::new();
-/// let (_, first) = map.insert_ring([[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]])?.faces_split[0];
-/// let (_, second) = map.insert_ring([[2.0, 0.0], [4.0, 0.0], [4.0, 2.0]])?.faces_split[0];
-/// map.insert_ring([[0.0, 0.0], [0.0, 2.0], [-2.0, 0.0]])?;
-/// assert_eq!(touching_face(&map, first)?, [second]);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-///
-/// # Errors
-/// [`StaleKey::Face`].
-pub fn touching_face(map: &PlanarMap, key: FaceKey) -> Result<Vec<FaceKey>, StaleKey> {
-    let face = map.dcel().face(key)?;
-    let mut touching: BTreeMap<usize, FaceKey> = around(&[face])
-        .into_iter()
-        .flat_map(|v| v.rotation())
-        .map(|h| h.face())
-        .map(|f| (f.index(), f.key()))
-        .collect();
-    touching.remove(&face.index());
-    for other in face.neighbours() {
-        touching.remove(&other.index());
-    }
-    Ok(touching.into_values().collect())
-}
-
 /// Returns the features that meet a feature only at vertices, in order. Features that overlap it are not among them. O(faces of
 /// the map · log + n log n) for n pairs of a half-edge that leaves one of its vertices and a feature there.
 ///

@@ -3,13 +3,12 @@
 use super::edit::EditError;
 use super::notes::MapEntry;
 use super::planar_map::PlanarMap;
-use crate::{FeatureId, Features};
+use crate::FeatureId;
 use slotmap::{Key, KeyData, SecondaryMap};
-use std::mem;
 use twinedge::dcel::extend::{Attributes, Kind, LogPlace, Recorder as _, Step};
 use twinedge::dcel::{
-    Attribute, Attributed, Connected, Face, FaceKey, Faces, HalfEdge, HalfEdgeKey, Keys, OperatorError, Policy,
-    SplitEdge, StaleKey, Value,
+    Attribute, Attributed, Connected, Face, FaceKey, HalfEdge, HalfEdgeKey, Keys, OperatorError, Policy, SplitEdge,
+    StaleKey, Value,
 };
 use twinedge_geometry::Point;
 
@@ -48,9 +47,8 @@ use twinedge_geometry::Point;
 /// ```
 ///
 /// All edits carry values. So do overlays and convex decomposition for faces and features. See
-/// [`Dcel`](twinedge::dcel::Dcel#attributes) for the general rules. On a [built](super::Builder) map, features have values first,
-/// and faces [get](Self::cover_values) theirs from these. A map made [from another structure](Self::from_view) [takes
-/// over](Self::carry_values) its values.
+/// [`Dcel`](twinedge::dcel::Dcel#attributes) for the general rules. A map made [from another structure](Self::from_view)
+/// [takes over](Self::carry_values) its values.
 ///
 /// [`Edited`](super::edit::Edited) names the records, for data stored in another way.
 /// [`insert_segment_snapped`](PlanarMap::insert_segment_snapped) splits, drops and redraws edges that rounding moves. Values
@@ -179,64 +177,9 @@ impl PlanarMap {
 
     /// Adds the attributes of another map, with their identities and policies but without values. O(attributes).
     ///
-    /// Gives values to a [loaded](#impl-Serialize-for-PlanarMap) map, or serves to [compare](mod@super::diff) loaded maps.
+    /// Gives values to a [loaded](#impl-Serialize-for-PlanarMap) map.
     pub fn add_attributes_of(&mut self, other: &Self) {
         self.dcel.add_attributes_of(&other.dcel);
-    }
-
-    /// Gives each face the values of the features that cover it, as on a [built](super::Builder) map whose features have values.
-    ///
-    /// If a feature covers several faces, the policy for faces splits its value: the largest face inherits, the others are split
-    /// off it. If several features cover a face, their values are merged in the order of the features, together with the face's
-    /// own value. By the default policy, the largest face of a feature gets the value, and the first of several values stays.
-    ///
-    /// O(faces · features of each · log n).
-    ///
-    /// ```
-    /// use twinedge_map::{Builder, Features, Shape};
-    /// use twinedge::dcel::Policy;
-    ///
-    /// let owners = ["Ada", "Bob"];
-    /// let mut builder = Builder::new();
-    /// for x in [0.0, 2.0] {
-    ///     builder.shape(&Shape::polygon([[x, 0.0], [x + 2.0, 0.0], [x + 2.0, 2.0], [x, 2.0]]))?;
-    /// }
-    /// let mut map = builder.build()?;
-    /// let of_feature = map.add_attribute(Policy::<Features, &str>::new());
-    /// for (index, owner) in owners.iter().enumerate() {
-    ///     let feature = map.feature(index).expect("features are numbered in order of input");
-    ///     map.set_value(of_feature, feature, *owner)?;
-    /// }
-    /// let of_face = map.add_attribute(Policy::of_faces().split_copy().merge_equal());
-    /// map.cover_values(of_feature, of_face)?;
-    /// let mut found: Vec<_> = map.values(of_face).into_iter().flatten().map(|(_, owner)| *owner).collect();
-    /// found.sort_unstable();
-    /// assert_eq!(found, owners);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`Refused`](OperatorError::Refused), with nothing changed; [`OperatorError::NoSuchAttribute`].
-    pub fn cover_values<T: Value>(
-        &mut self,
-        from: Attribute<Features, T>,
-        to: Attribute<Faces, T>,
-    ) -> Result<(), OperatorError> {
-        let mut parts = vec![Vec::new(); self.names.len()];
-        for face in self.dcel.faces() {
-            let part = (face.key().data(), self.area(face));
-            for feature in self.features.set(self.features.of_face(face.index())) {
-                parts[feature.index()].push(part);
-            }
-        }
-        let values = self.values(from).ok_or(OperatorError::NoSuchAttribute)?.iter();
-        let of_feature = |parts: Option<&mut Vec<_>>| parts.map(mem::take).unwrap_or_default();
-        let mut pieces: Vec<_> =
-            values.map(|(k, value)| (value.clone(), of_feature(parts.get_mut(k.index())))).collect();
-        for (_, parts) in &mut pieces {
-            largest_first(parts);
-        }
-        self.dcel.spread_values(to, pieces)
     }
 
     /// Takes over the attributes, with values, of the map from which this one was [made](Self::from_view). `keys` are the keys

@@ -5,7 +5,7 @@
 //!
 //! ```
 //! use twinedge_geometry::Point;
-//! use twinedge_map::{Builder, Located, Locator, Shape};
+//! use twinedge_map::{Builder, Located, Shape};
 //!
 //! let square = |x: f64| [[x, 0.0], [x + 2.0, 0.0], [x + 2.0, 2.0], [x, 2.0]];
 //! let mut builder = Builder::new();
@@ -13,7 +13,7 @@
 //! let east = builder.shape(&Shape::polygon(square(2.0)))?;
 //! let mut map = builder.build()?;
 //!
-//! let Located::Face(face) = Locator::new(&map)?.locate(Point::new(3.0, 1.0))? else { unreachable!("it is inside") };
+//! let Located::Face(face) = map.locate(Point::new(3.0, 1.0))? else { unreachable!("it is inside") };
 //! assert!(map.features_of(face)?.eq([east]));
 //! // A wall across the eastern square: it splits the edges on which it ends, and the face.
 //! let wall = map.insert_segment([2.0, 1.0], [4.0, 1.0])?;
@@ -25,12 +25,11 @@
 //! ```
 //!
 //! A [`History`](twinedge::dcel::History) undoes and redoes edits, [`Audited`](twinedge::dcel::Audited) validates after each
-//! edit, and [attributes](PlanarMap#attributes) follow edits. The example `undo_owners_ids` is a minimal editor core.
+//! edit, and [attributes](PlanarMap#attributes) follow edits.
 //!
 //! | module | purpose |
 //! | --- | --- |
 //! | [`certificate`] | a triangulation that proves a map to be drawn in the plane |
-//! | [`mod@diff`] | the changes from one map to another, by ids: displayed, saved, applied, merged |
 //! | [`edit`] | drawing and erasing points, segments and rings one by one |
 //! | [`locate`] | point location by an index |
 //! | [`zone`] | the elements along a line, in order |
@@ -40,7 +39,6 @@
 extern crate alloc;
 
 pub mod certificate;
-pub mod diff;
 pub mod drawing;
 pub mod edit;
 pub mod locate;
@@ -69,15 +67,12 @@ mod saved;
 mod summary;
 
 pub use construct::{BuildError, Builder, Noding, UnmatchedVertex, usual_cuts};
-pub use diff::{diff, merge};
 pub use drawing::{Embedding, places, validate_embedding};
 pub use feature::{Feature, Shape};
 pub use feature_id::{FeatureId, Features};
 pub use import::MapImportError;
-pub use locate::{LocateError, Located, Locator};
+pub use locate::{LocateError, Located};
 pub use not_plane::NotPlane;
 pub use planar_map::PlanarMap;
-#[cfg(feature = "serde")]
-pub use saved::Certified;
 pub use summary::{BuildSummary, Irregularity, IrregularityKind, Position};
 pub use zone::{QueryLine, ZoneElement};

@@ -284,13 +284,13 @@ impl PlanarMap {
     /// Returns where the map is not [plane](Self::is_plane), if it is not. O(1).
     ///
     /// ```
-    /// use twinedge_map::{Builder, Locator};
+    /// use twinedge_map::Builder;
     ///
     /// let mut builder = Builder::new();
     /// builder.segment([0.0, 0.0], [2.0, 2.0])?;
     /// builder.segment([0.0, 2.0], [2.0, 0.0])?;
     /// let map = builder.build()?;
-    /// let why = Locator::new(&map).unwrap_err().to_string();
+    /// let why = map.locate([0.0, 0.0].into()).unwrap_err().to_string();
     /// assert!(why.starts_with("the map is not plane: edges meet where no vertex is, as at (1, 1); `Builder::build_with("));
     /// assert_eq!(map.not_plane().unwrap().to_string(), why);
     /// # Ok::<(), twinedge_map::BuildError>(())

@@ -1,6 +1,5 @@
 //! Saving and loading maps with serde.
 
-use super::certificate::{DrawingError, draw};
 use super::feature_sets::FeatureSets;
 use super::feature_tries::SetId;
 use super::planar_map::PlanarMap;
@@ -11,10 +10,8 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer, de, ser};
 use thiserror::Error;
 use twinedge::dcel::Dcel;
 use twinedge::validate::Report;
-use twinedge_certificate::{Drawing, Failure, Labels, LabelsError, check_drawing};
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::NodingSummary;
-use twinedge_geometry::predicates::in_range;
 
 /// The version number of the written form.
 const FORM: u8 = 1;
@@ -22,7 +19,7 @@ const FORM: u8 = 1;
 /// The saved form of a map: its live records in order of their indices.
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct SavedMap<D, C> {
+struct SavedMap<D> {
     form: u8,
     dcel: D,
     points: Vec<Point>,
@@ -37,16 +34,6 @@ struct SavedMap<D, C> {
     /// The removed features, in ascending order.
     #[serde(default)]
     removed: Vec<u32>,
-    /// The certificate of the drawing, if it was saved.
-    #[serde(default = "Option::default")]
-    drawing: Option<C>,
-}
-
-/// A map to be saved together with a certificate of its drawing: see [`PlanarMap::certified`].
-#[derive(Clone, Debug)]
-pub struct Certified<'m> {
-    map: &'m PlanarMap,
-    drawing: Drawing,
 }
 
 #[derive(Debug, Error)]
@@ -63,14 +50,6 @@ enum LoadError {
     NoSuchSet(usize),
     #[error("the map is not valid:\n{0}")]
     Invalid(Box<Report>),
-    #[error("the certificate of the map is wrong: {0}")]
-    Certificate(Failure),
-    #[error("the certificate of the map is one of another drawing: vertex {0} lies elsewhere there")]
-    OtherDrawing(usize),
-    #[error("vertex {0} lies where predicates are not exact")]
-    OutOfRange(usize),
-    #[error(transparent)]
-    Labels(#[from] LabelsError),
 }
 
 /// Saves the keys, so that data saved alongside by key still refers to the same records; edges without features and isolated
@@ -119,46 +98,6 @@ enum LoadError {
 /// ```
 impl Serialize for PlanarMap {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        self.save(None, serializer)
-    }
-}
-
-/// Saves the map as without a certificate, followed by the certificate, which takes extra space. O(n).
-impl Serialize for Certified<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        self.map.save(Some(&self.drawing), serializer)
-    }
-}
-
-impl PlanarMap {
-    /// Adds a certificate of the drawing, to be saved with the map. Loading then checks the certificate in O(n) instead of
-    /// validating in O(n log n). The saved form loads like a map without a certificate, and an invalid map is still an error.
-    ///
-    /// Checking takes half the time of validating, but reads two and a half times the bytes: it pays off in binary formats.
-    ///
-    /// O(n log n), as for [`draw`](super::certificate::draw).
-    ///
-    /// ```
-    /// use twinedge_map::PlanarMap;
-    ///
-    /// let mut map = PlanarMap::new();
-    /// map.insert_ring([[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]])?;
-    /// let mut saved = serde_json::to_value(map.certified()?)?;
-    /// assert_eq!(serde_json::from_value::<PlanarMap>(saved.clone())?, map);
-    ///
-    /// saved["points"][0] = [1.0, 0.0].into();
-    /// let refused = serde_json::from_value::<PlanarMap>(saved).unwrap_err();
-    /// assert!(refused.to_string().starts_with("the certificate of the map is one of another drawing"));
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`DrawingError`].
-    pub fn certified(&self) -> Result<Certified<'_>, DrawingError> {
-        Ok(Certified { map: self, drawing: draw(self)? })
-    }
-
-    fn save<S: Serializer>(&self, drawing: Option<&Drawing>, serializer: S) -> Result<S::Ok, S::Error> {
         if !self.is_plane() {
             return Err(ser::Error::custom("a map that is not plane cannot be saved"));
         }
@@ -183,24 +122,21 @@ impl PlanarMap {
             summary: self.summary.clone(),
             noding: self.noding,
             removed: self.features.removed.iter().map(|feature| feature.number()).collect(),
-            drawing,
         };
         saved.serialize(serializer)
     }
 }
 
-/// Validates the map, R1 … G5: an invalid or non-plane map is an error that contains the report. O(n log n). A map saved with a
-/// [certificate](PlanarMap::certified) has it checked instead, in O(n).
+/// Validates the map, R1 … G5: an invalid or non-plane map is an error that contains the report. O(n log n).
 impl<'de> Deserialize<'de> for PlanarMap {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        SavedMap::<Dcel, Drawing>::deserialize(deserializer)?.load().map_err(de::Error::custom)
+        SavedMap::<Dcel>::deserialize(deserializer)?.load().map_err(de::Error::custom)
     }
 }
 
-impl SavedMap<Dcel, Drawing> {
+impl SavedMap<Dcel> {
     fn load(self) -> Result<PlanarMap, LoadError> {
-        let Self { form, dcel, points: saved_points, names, sets, faces, edges, summary, noding, removed, drawing } =
-            self;
+        let Self { form, dcel, points: saved_points, names, sets, faces, edges, summary, noding, removed } = self;
         if form != FORM {
             return Err(LoadError::Form(form));
         }
@@ -243,40 +179,7 @@ impl SavedMap<Dcel, Drawing> {
             features.put_along(edge.index(), set(number)?);
         }
         let map = PlanarMap { dcel, points, names, features, summary, noding, ..PlanarMap::default() };
-        if let Some(drawing) = drawing {
-            map.check(&drawing)?;
-            return Ok(map);
-        }
         let report = map.validate();
         if report.is_valid() { Ok(map) } else { Err(LoadError::Invalid(Box::new(report))) }
-    }
-}
-
-impl PlanarMap {
-    /// Checks a certificate of the drawing, and that it certifies these points.
-    fn check(&self, drawing: &Drawing) -> Result<(), LoadError> {
-        let failures = check_drawing(self, &Labels::new(self)?, drawing).err();
-        if let Some(first) = failures.iter().flatten().next() {
-            return Err(LoadError::Certificate(*first));
-        }
-        for v in self.dcel.vertices().map(|v| v.index()) {
-            let at = drawing.points.get(v).map(|at| at.map(|steps| scaled(steps, drawing.exponent)));
-            if at.map(Point::from) != Some(self.points[v]) {
-                return Err(LoadError::OtherDrawing(v));
-            }
-            if !in_range(self.points[v]) {
-                return Err(LoadError::OutOfRange(v));
-            }
-        }
-        Ok(())
-    }
-}
-
-/// Returns `steps` times two to the power `exponent`, exactly, or NaN if coordinates in range cannot have such steps.
-fn scaled(steps: i64, exponent: i32) -> f64 {
-    // At most 2^53, so nothing is rounded.
-    match u64::try_from(1023_i64 + i64::from(exponent)) {
-        Ok(power) if (-453..=500).contains(&exponent) => steps as f64 * f64::from_bits(power << 52),
-        _ => f64::NAN,
     }
 }

@@ -1,7 +1,5 @@
 //! Errors of readers: the place in the file, and the fault.
 
-use super::foreign::ForeignFormat;
-use super::format::Format;
 use core::fmt;
 use std::io;
 use thiserror::Error;
@@ -45,47 +43,19 @@ impl fmt::Display for TextPlace {
     }
 }
 
-/// A feature of a file.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub struct FeatureLabel {
-    /// The index among the features, counted from 0.
-    pub index: usize,
-    /// The name, if it has one that could be read completely.
-    pub name: Option<String>,
-}
-
-impl fmt::Display for FeatureLabel {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "feature {}", self.index)?;
-        match &self.name {
-            Some(name) => write!(f, " ({name})"),
-            None => Ok(()),
-        }
-    }
-}
-
 /// The error of all readers of [`io`](crate::io): the place in the file, and the fault.
 ///
 /// For GeoJSON the place is the byte that `serde_json` had reached when the fault appeared. For a value of an invalid type, this
 /// is its last byte, its opening bracket or the following byte. A fault that appears only when an object is complete, such as a
 /// missing member or a short position, has the place of the closing brace of the feature or the outermost object; a fault in a
 /// geometry inside a feature has the place of the geometry's closing brace or of the following byte.
-///
-/// ```
-/// use twinedge_formats::io;
-/// use twinedge_formats::io::{Format, ReadCause, ReadError};
-///
-/// let error = io::read("PK\u{3}\u{4}...".as_bytes(), None, |_| Ok::<_, ReadError>(())).unwrap_err();
-/// assert!(matches!(error.cause, ReadCause::Foreign(_)));
-/// assert_eq!(error.to_string(), "this looks like a zip archive, which is not read here: unpack it first");
-/// ```
 #[derive(Debug)]
 #[non_exhaustive]
 pub struct ReadError {
     /// The place in the file.
     pub place: TextPlace,
-    /// The faulty feature, if the fault is inside one.
-    pub feature: Option<FeatureLabel>,
+    /// The index of the faulty feature, counted from 0, if the fault is inside one.
+    pub feature: Option<usize>,
     /// The error at that place.
     pub cause: ReadCause,
 }
@@ -99,7 +69,7 @@ impl ReadError {
 
     /// Adds the feature of the error.
     #[must_use]
-    pub fn in_feature(self, feature: FeatureLabel) -> Self {
+    pub fn in_feature(self, feature: usize) -> Self {
         Self { feature: Some(feature), ..self }
     }
 }
@@ -111,7 +81,7 @@ impl fmt::Display for ReadError {
             write!(f, "{}: ", self.place)?;
         }
         match (&self.feature, &self.cause) {
-            (Some(feature), cause) => write!(f, "{feature}: {cause}"),
+            (Some(feature), cause) => write!(f, "feature {feature}: {cause}"),
             (None, ReadCause::Malformed { message }) => write!(f, "not GeoJSON: {message}"),
             (None, cause) => cause.fmt(f),
         }
@@ -180,22 +150,4 @@ pub enum ReadCause {
     /// than about 128 deep.
     #[error("nested too deep")]
     TooDeep,
-    /// The first bytes belong to a known format that is not supported.
-    #[error("this looks like {0}, which is not read here: {advice}", advice = .0.advice())]
-    Foreign(ForeignFormat),
-    /// The content, or the given format, is one that `twinedge-formats` reads.
-    #[error(
-        "this looks like {0}, which is read by twinedge-formats and the program; \
-             or convert it with `ogr2ogr -f GeoJSONSeq map.geojsonl FILE`"
-    )]
-    Elsewhere(Format),
-    /// The content is of no known format.
-    #[error(
-        "the format is not recognised: GeoJSON and well-known text are read; \
-         convert others with `ogr2ogr -f GeoJSONSeq map.geojsonl FILE`"
-    )]
-    Unrecognised,
-    /// The library was built without the feature that reads this format.
-    #[error("{0} is read with the feature `{feature}` of the library, which is off", feature = .0.feature())]
-    FeatureOff(Format),
 }

@@ -4,7 +4,7 @@ use super::json_head::JsonHead;
 use core::fmt;
 use std::path::Path;
 
-/// A format of maps and layers. [`read`](super::read()) reads the text formats; `twinedge-formats` reads all, with attributes.
+/// A format of maps and layers. [`layer::read`](crate::layer::read()) reads all, with attributes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[expect(clippy::exhaustive_enums, reason = "the compiler names what a new format needs, in other crates, too")]
 pub enum Format {
@@ -159,12 +159,6 @@ impl Format {
     #[must_use]
     pub const fn is_certain(self) -> bool {
         !matches!(self, Self::GeoJson | Self::GeoJsonSeq | Self::Wkt)
-    }
-
-    /// Returns true if the format needs real files: it consists of several, or cannot be streamed.
-    #[must_use]
-    pub const fn needs_file(self) -> bool {
-        matches!(self, Self::Shapefile | Self::GeoPackage | Self::GeoParquet)
     }
 
     /// Returns true if the format defines the direction of rings. RFC 7946 does, and so does Esri's description of Shapefiles,

@@ -112,7 +112,7 @@ impl<'r, F: FnMut(Box<Feature>) -> bool> Cutter<'r, F> {
         if let ReadError::Text(error) = &mut error {
             error.place = self.place(error.place);
             if let Some(feature) = &mut error.feature {
-                feature.index += self.count - usize::from(self.has_marker);
+                *feature += self.count - usize::from(self.has_marker);
             }
         }
         error

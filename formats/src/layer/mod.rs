@@ -107,7 +107,7 @@ pub use model::{
 };
 pub use overlay::{Keep, OverlayError, overlay};
 pub use read::{ReadOptions, format_of, read, read_layer, read_path};
-pub use to_map::to_map;
+pub use to_map::{read_for_map, to_map};
 #[cfg(feature = "wkb")]
 pub use wkb::{geometry_of_wkb, wkb_of_geometry};
 pub use write::{files, refuse_losses, write, write_files, write_path};

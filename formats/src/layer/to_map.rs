@@ -1,7 +1,11 @@
 //! Features as the library takes them.
 
+use super::crs::Crs;
+use super::error::ReadError;
 use super::model::{Feature, Geometry, Line, Position, Shape};
+use super::read::{ReadOptions, read};
 use crate::io::ReadSummary;
+use std::io::Read;
 use twinedge_geometry::Point;
 
 /// Returns the feature for a map, with its name and id, and counts it in a summary. Further dimensions and empty shapes are
@@ -31,6 +35,40 @@ pub fn to_map(feature: &Feature, summary: &mut ReadSummary) -> twinedge_map::Fea
     let feature = twinedge_map::Feature { name, id: feature.id.as_ref().map(ToString::to_string), shapes };
     summary.add(&feature, further, empty);
     feature
+}
+
+/// Reads the features of a map, for a [`Builder`](twinedge_map::Builder), and counts the parts that a map does not have.
+///
+/// ```
+/// use twinedge_formats::layer::{ReadOptions, read_for_map};
+/// use twinedge_map::Builder;
+///
+/// # #[cfg(feature = "wkt")] {
+/// let text = "# two parcels\nPOLYGON((0 0, 1 0, 1 1, 0 0))\nPOLYGON((0 0, 1 1, 0 1, 0 0))\n";
+/// let (features, summary) = read_for_map(&mut text.as_bytes(), &ReadOptions::default())?;
+/// assert_eq!((summary.features, summary.polygons), (2, 2));
+/// let mut builder = Builder::new();
+/// for feature in &features {
+///     builder.feature(feature)?;
+/// }
+/// assert_eq!(builder.build()?.dcel().face_count(), 3);
+/// # }
+/// # Ok::<_, Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// As for [`read`].
+pub fn read_for_map(
+    reader: &mut dyn Read,
+    options: &ReadOptions,
+) -> Result<(Vec<twinedge_map::Feature>, ReadSummary), ReadError> {
+    let (mut features, mut summary) = (Vec::new(), ReadSummary::default());
+    let header = read(reader, None, options, &mut |feature| {
+        features.push(to_map(&feature, &mut summary));
+        Ok(())
+    })?;
+    summary.other_crs = usize::from(header.crs.as_ref().is_some_and(Crs::is_other));
+    Ok((features, summary))
 }
 
 /// The recursion is as deep as collections are nested.

@@ -1,11 +1,12 @@
 //! Maps written and read again, through every format.
 
+use crate::read_geojson;
 use quickcheck::{Gen, QuickCheck};
 use std::collections::BTreeSet;
 use std::io::{self, Write};
 use twinedge_algorithm::contour::{of_feature, of_features};
-use twinedge_formats::io as formats;
-use twinedge_formats::io::{ReadError, WriteError, geojson, wkt};
+use twinedge_formats::io::{WriteError, geojson, wkt};
+use twinedge_formats::layer::{Format, read_for_map};
 use twinedge_geometry::Point;
 use twinedge_map::{Builder, Feature, PlanarMap, Shape};
 
@@ -17,30 +18,14 @@ fn built(features: &[Feature]) -> PlanarMap {
     builder.build().expect("fits")
 }
 
-fn from_geojson(text: &[u8]) -> Vec<Feature> {
-    let mut features = Vec::new();
-    geojson::read(text, |feature| {
-        features.push(feature);
-        Ok::<(), ReadError>(())
-    })
-    .expect("it is GeoJSON");
-    features
-}
-
 fn from_wkt(text: &[u8]) -> Vec<Feature> {
-    let mut features = Vec::new();
-    wkt::read(text, |feature| {
-        features.push(feature);
-        Ok::<(), ReadError>(())
-    })
-    .expect("it is WKT");
-    features
+    read_for_map(&mut { text }, &crate::options(Format::Wkt)).expect("it is WKT").0
 }
 
 fn through_geojson(features: &[Feature]) -> Vec<Feature> {
     let mut text = Vec::new();
     geojson::write(&mut text, features).expect("finite");
-    from_geojson(&text)
+    read_geojson(&text).expect("it is GeoJSON").0
 }
 
 fn through_wkt(features: &[Feature]) -> Vec<Feature> {
@@ -73,7 +58,7 @@ fn drawn(map: &PlanarMap) -> (BTreeSet<Side>, usize, usize) {
 }
 
 fn world() -> Vec<Feature> {
-    from_geojson(include_bytes!("../../../cli/data/world-110m.geojson"))
+    read_geojson(include_bytes!("../../../cli/data/world-110m.geojson")).expect("it is GeoJSON").0
 }
 
 #[test]
@@ -99,20 +84,6 @@ fn the_contours_of_all_countries_make_the_same_world_again() {
     assert_eq!(drawn(&built(&polygons)), expected);
 }
 
-#[test]
-fn the_faces_of_the_world_make_its_edges_again() {
-    let map = built(&world());
-    let faces = formats::faces(&map).expect("the world is plane");
-    assert_eq!(faces.len(), 287);
-    let lesotho = faces.iter().find(|face| face.name.as_deref() == Some("Lesotho")).expect("it has a face");
-    assert_eq!(lesotho.shapes.len(), 1);
-    assert!(faces.iter().any(|face| face.name.as_deref().is_some_and(|name| name.contains(" / "))));
-    let again = built(&through_geojson(&faces));
-    let edges = |map: &PlanarMap| drawn(map).0.into_iter().map(|(from, to, _)| (from, to)).collect::<BTreeSet<_>>();
-    assert_eq!(edges(&again), edges(&map));
-    assert_eq!(again.dcel().face_count(), 288);
-}
-
 /// A feature of polygons, lines and points on a small grid, which may cross, overlap and turn back.
 fn feature(shapes: &[(u8, Vec<(u8, u8)>)]) -> Feature {
     let shape = |(kind, points): &(u8, Vec<(u8, u8)>)| {
@@ -129,23 +100,6 @@ fn feature(shapes: &[(u8, Vec<(u8, u8)>)]) -> Feature {
 }
 
 type Shapes = Vec<(u8, Vec<(u8, u8)>)>;
-
-fn exported_maps_are_the_same_again(shapes: Vec<Shapes>) -> bool {
-    let features: Vec<Feature> = shapes.iter().take(5).map(|shapes| feature(shapes)).collect();
-    let map = built(&features);
-    match formats::features(&map) {
-        Ok(exported) => !map.is_plane() || drawn(&built(&exported)) == drawn(&map),
-        Err(_) => !map.is_plane(),
-    }
-}
-
-#[test]
-fn any_plane_map_exported_is_the_same_again() {
-    QuickCheck::new()
-        .rng(Gen::new(9))
-        .tests(5000)
-        .quickcheck(exported_maps_are_the_same_again as fn(Vec<Shapes>) -> bool);
-}
 
 fn closed(mut features: Vec<Feature>) -> Vec<Feature> {
     for shape in features.iter_mut().flat_map(|feature| &mut feature.shapes) {

@@ -4,20 +4,11 @@ use std::collections::BTreeSet;
 use std::error::Error;
 use std::io::{self, Read};
 
-use twinedge_formats::io::{
-    FeatureLabel, MAX_NESTED_COLLECTIONS, ReadCause, ReadError, ReadSummary, TextPlace, geojson,
-};
+use crate::read_geojson as read;
+use twinedge_formats::io::geojson::{Documents, Part, read_parts};
+use twinedge_formats::io::{MAX_NESTED_COLLECTIONS, ReadCause, ReadError, ReadSummary, TextPlace};
 use twinedge_geometry::Point;
 use twinedge_map::{Feature, Shape};
-
-fn read(text: impl AsRef<[u8]>) -> Result<(Vec<Feature>, ReadSummary), ReadError> {
-    let mut features = Vec::new();
-    let summary = geojson::read(text.as_ref(), |feature| {
-        features.push(feature);
-        Ok::<_, ReadError>(())
-    })?;
-    Ok((features, summary))
-}
 
 fn shapes(text: &str) -> Vec<Shape> {
     let (features, _) = read(text).unwrap();
@@ -90,7 +81,7 @@ fn members_may_come_in_any_order() {
 
 #[test]
 fn foreign_members_are_skipped_whatever_they_hold() {
-    let deep = "[".repeat(100_000) + &"]".repeat(100_000);
+    let deep = "[".repeat(100) + &"]".repeat(100);
     let text = format!(
         r#"{{"bbox":[[[]]],"crs":{{"type":7,"features":[1]}},"deep":{deep},"type":"Feature",
             "geometry":{{"bbox":null,"type":"Point","foreign":[3],"coordinates":[1,2]}},"properties":{{"x":{{}}}}}}"#
@@ -299,7 +290,7 @@ fn io_errors() {
         // Text that could be read after the failure makes no difference.
         for after in [&b""[..], b"]}", b"}", &text[end..]] {
             let reader = Failing { before: &text[..end], failed: false, after };
-            let error = geojson::read(reader, |_| Ok::<_, ReadError>(())).unwrap_err();
+            let error = read_parts(reader, Documents::One, |_| Ok::<_, ReadError>(())).unwrap_err();
             let read_some = if end > 0 { format!("{place}: ") } else { String::new() };
             assert_eq!(error.to_string(), format!("{read_some}the line went dead"));
             assert!(is_at(&error, place) && error.source().is_some(), "{error:?}");
@@ -327,12 +318,16 @@ impl Read for Slow<'_> {
 #[test]
 fn interruptions_and_small_reads_do_no_harm() {
     let text = "\u{FEFF}{\"type\":\"LineString\",\"coordinates\":[[1,2],[3,4]]}";
-    let mut features = Vec::new();
-    let summary = geojson::read(Slow(text.as_bytes(), false), |feature| {
-        features.push(feature);
-        Ok::<_, ReadError>(())
-    });
-    assert_eq!((features, summary.unwrap()), read(text).unwrap());
+    let features = |reader: &mut dyn Read| {
+        let mut features = Vec::new();
+        read_parts(reader, Documents::One, |part| {
+            features.push(part);
+            Ok::<_, ReadError>(())
+        })
+        .unwrap();
+        features
+    };
+    assert_eq!(features(&mut Slow(text.as_bytes(), false)), features(&mut text.as_bytes()));
 }
 
 /// The outermost object is invalid. The messages are those of the `geojson` crate.
@@ -364,24 +359,22 @@ fn not_geojson() {
     assert_eq!(message.chars().count(), 200);
 }
 
-/// Reads three features, the second of which has this geometry in line 3. Returns the name, the place and the cause of
-/// the error.
-fn fault_of(geometry: &str) -> (Option<String>, TextPlace, ReadCause) {
+/// Reads three features, the second of which has this geometry in line 3. Returns the place and the cause of the
+/// error.
+fn fault_of(geometry: &str) -> (TextPlace, ReadCause) {
     let good = r#"{"type":"Feature","properties":{"name":"good"},"geometry":null}"#;
     let text = format!(
         "{{\"features\":[{good},{{\"properties\":{{\"name\":\"b\"}},\n\"geometry\":\n{geometry},\
          \"type\":\"Feature\"\n}},\n{good}],\"type\":\"FeatureCollection\"}}",
     );
     let mut count = 0;
-    let error = geojson::read(text.as_bytes(), |_| {
-        count += 1;
+    let error = read_parts(text.as_bytes(), Documents::One, |part| {
+        count += usize::from(matches!(part, Part::Feature(_)));
         Ok::<_, ReadError>(())
     });
-    let Err(ReadError { place, feature: Some(FeatureLabel { index, name }), cause, .. }) = error else {
-        panic!("{geometry}: {error:?}")
-    };
+    let Err(ReadError { place, feature: Some(index), cause, .. }) = error else { panic!("{geometry}: {error:?}") };
     assert_eq!((index, count), (1, 1), "{geometry}");
-    (name, place, cause)
+    (place, cause)
 }
 
 /// Errors that the crate detects are placed where it detects them.
@@ -402,19 +395,18 @@ fn malformed_geometries() {
         (r#"{"type":"Point"}"#, 17, "no `coordinates` key"),
         (r#"{"type":"LineString","coordinates":[1,2]}"#, 42, "unexpected coordinates dimensions: 0"),
     ] {
-        let (name, place, fault) = fault_of(geometry);
+        let (place, fault) = fault_of(geometry);
         let ReadCause::Malformed { message } = fault else { panic!("{geometry}: {fault:?}") };
-        assert_eq!((name, place), (None, at(3, column)), "{geometry}: {message}");
+        assert_eq!(place, at(3, column), "{geometry}: {message}");
         assert!(message.contains(says), "{geometry}: {message}");
     }
-    let (name, place, cause) = fault_of(r#"{"type":"Point","coordinates":[1,1e400]}"#);
-    assert!(name.is_none() && place == at(3, 39) && matches!(cause, ReadCause::OutOfRange), "{place}: {cause:?}");
+    let (place, cause) = fault_of(r#"{"type":"Point","coordinates":[1,1e400]}"#);
+    assert!(place == at(3, 39) && matches!(cause, ReadCause::OutOfRange), "{place}: {cause:?}");
 }
 
-/// Errors detected after the crate's parsing have the name of the feature and the place of its closing brace.
+/// Errors detected after the crate's parsing have the place of the closing brace of the feature.
 #[test]
 fn short_positions() {
-    let name = || Some("b".into());
     for (geometry, numbers) in [
         (r#"{"type":"LineString","coordinates":[[1,2],[3],[]]}"#, 1),
         (r#"{"type":"MultiPoint","coordinates":[[1,2,3],[]]}"#, 0),
@@ -423,8 +415,8 @@ fn short_positions() {
         (r#"{"type":"MultiPolygon","coordinates":[[[[1]]]]}"#, 1),
         (r#"{"type":"GeometryCollection","geometries":[{"type":"MultiPoint","coordinates":[[1]]}]}"#, 1),
     ] {
-        let (of, place, cause) = fault_of(geometry);
-        assert_eq!((of, place), (name(), at(4, 1)), "{geometry}");
+        let (place, cause) = fault_of(geometry);
+        assert_eq!(place, at(4, 1), "{geometry}");
         assert!(matches!(cause, ReadCause::ShortPosition { numbers: n } if n == numbers), "{geometry}: {cause:?}");
     }
     // A feature or geometry without a collection is feature 0.
@@ -433,7 +425,7 @@ fn short_positions() {
     let text = r#"{"geometry":{"type":"Polygon","coordinates":[[[7]]]},
         "type":"Feature","properties":{"name":"Nowhere"}}"#;
     let error = read(text).unwrap_err();
-    let expected = "line 2, column 57: feature 0 (Nowhere): a position needs two numbers, this one has 1";
+    let expected = "line 2, column 57: feature 0: a position needs two numbers, this one has 1";
     assert_eq!(error.to_string(), expected);
 }
 
@@ -449,7 +441,7 @@ fn malformed_features() {
     ] {
         let text = format!("{{\"type\":\"FeatureCollection\",\"features\":[\n{feature}]}}");
         let error = read(text).unwrap_err();
-        assert_eq!(error.feature, Some(FeatureLabel { index: 0, name: None }), "{feature}");
+        assert_eq!(error.feature, Some(0), "{feature}");
         let ReadCause::Malformed { message } = error.cause else { panic!("{feature}: {:?}", error.cause) };
         assert_eq!((error.place, message.contains(says)), (at(2, column), true), "{feature}: {message}");
     }
@@ -503,7 +495,7 @@ fn the_callback_can_stop_the_reading() {
     let text = r#"{"type":"FeatureCollection","features":[{"type":"Feature"},{"type":"Feature"},?"#;
     let stop_at = |limit: usize| {
         let mut count = 0;
-        geojson::read(text.as_bytes(), |_| {
+        read_parts(text.as_bytes(), Documents::One, |_| {
             count += 1;
             if count == limit { Err(Mine::Enough(count)) } else { Ok(()) }
         })

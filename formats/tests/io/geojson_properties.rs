@@ -1,19 +1,11 @@
-//! Laws of `io::geojson`: written data is read back, and reading feature by feature makes no difference.
+//! Laws of the reader of GeoJSON: written data is read back, and reading feature by feature makes no difference.
 
+use crate::read_geojson as read;
 use geojson::{GeoJson, GeometryValue};
 use quickcheck::{Arbitrary, Gen, QuickCheck};
-use twinedge_formats::io::{ReadCause, ReadError, ReadSummary, geojson as reader};
+use twinedge_formats::io::{ReadCause, ReadError};
 use twinedge_geometry::Point;
 use twinedge_map::{Feature, Shape};
-
-fn read(text: &[u8]) -> Result<(Vec<Feature>, ReadSummary), ReadError> {
-    let mut features = Vec::new();
-    let summary = reader::read(text, |feature| {
-        features.push(feature);
-        Ok::<_, ReadError>(())
-    })?;
-    Ok((features, summary))
-}
 
 /// A `QuickCheck` with a fixed seed.
 fn check(tests: u64, seed: u64) -> QuickCheck {

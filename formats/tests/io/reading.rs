@@ -2,19 +2,14 @@
 
 use std::io::{self, Read};
 
-use twinedge_formats::io::{
-    FeatureLabel, ForeignFormat, Format, ReadCause, ReadError, ReadSummary, TextPlace, geojson, read,
-};
+use twinedge_formats::io::geojson::{Documents, read_parts};
+use twinedge_formats::io::{ForeignFormat, Format, ReadCause, ReadError as TextError, ReadSummary, TextPlace};
+use twinedge_formats::layer::{ReadError, ReadOptions, format_of, read_for_map};
 use twinedge_geometry::Point;
 use twinedge_map::{Feature, Shape};
 
 fn all(text: impl AsRef<[u8]>, format: Option<Format>) -> Result<(Vec<Feature>, ReadSummary), ReadError> {
-    let mut features = Vec::new();
-    let summary = read(text.as_ref(), format, |feature| {
-        features.push(feature);
-        Ok::<_, ReadError>(())
-    })?;
-    Ok((features, summary))
+    read_for_map(&mut text.as_ref(), &ReadOptions { format, ..ReadOptions::default() })
 }
 
 const POINT: &str = r#"{"type":"Point","coordinates":[1,2]}"#;
@@ -92,7 +87,9 @@ fn each_format_is_read() {
     // Sequences are often named like single objects.
     assert_eq!(all(&two, Some(Format::GeoJson)).unwrap().0.len(), 2);
     // A given format takes precedence over the content.
-    assert!(matches!(all(POINT, Some(Format::Wkt)).unwrap_err().cause, ReadCause::Syntax { .. }));
+    assert!(
+        matches!(all(POINT, Some(Format::Wkt)), Err(ReadError::Text(error)) if matches!(error.cause, ReadCause::Syntax { .. }))
+    );
 }
 
 #[test]
@@ -104,13 +101,9 @@ fn a_map_longer_than_what_is_looked_at() {
 
 // ------------------------------------------------------------------------------------------------------- sequences
 
-fn sequence(text: &str) -> Result<(Vec<Feature>, ReadSummary), ReadError> {
-    let mut features = Vec::new();
-    let summary = geojson::read_sequence(text.as_bytes(), |feature| {
-        features.push(feature);
-        Ok::<_, ReadError>(())
-    })?;
-    Ok((features, summary))
+fn sequence(text: &str) -> Result<(Vec<Feature>, ReadSummary), TextError> {
+    read_parts(text.as_bytes(), Documents::Many, |_| Ok::<_, TextError>(()))?;
+    Ok(all(text, Some(Format::GeoJsonSeq)).expect("its parts were read"))
 }
 
 #[test]
@@ -136,7 +129,7 @@ fn faults_in_a_sequence_have_the_place_and_the_number_in_the_file() {
     let short = r#"{"type":"LineString","coordinates":[[1]]}"#;
     let error = sequence(&format!("{POINT}\n{POINT}\n{short}\n{POINT}")).unwrap_err();
     assert_eq!(error.place, TextPlace { line: 3, column: Some(short.len()) });
-    assert_eq!(error.feature, Some(FeatureLabel { index: 2, name: None }));
+    assert_eq!(error.feature, Some(2));
     assert!(matches!(error.cause, ReadCause::ShortPosition { numbers: 1 }));
     for (rest, column) in [("x", 1), ("{\"type\"}", 8), ("]", 1)] {
         let error = sequence(&format!("{POINT}\n{rest}")).unwrap_err();
@@ -180,13 +173,12 @@ fn other_formats_are_named() {
     ];
     for (head, expected) in samples {
         for format in [None, Some(Format::GeoJson), Some(Format::Wkt)] {
-            let error = all(&head, format).unwrap_err();
-            let ReadCause::Foreign(foreign) = error.cause else { panic!("{expected}: {error:?}") };
-            assert_eq!(foreign, expected);
+            let error = format_of(&head, None, &ReadOptions { format, ..ReadOptions::default() }).unwrap_err();
+            assert!(matches!(error, ReadError::Foreign(foreign) if foreign == expected), "{expected}: {error:?}");
+            let says = error.to_string();
+            let parts = [format!("this looks like {expected}, "), expected.advice().to_owned()];
+            assert!(says.starts_with(&parts[0]) && says.ends_with(&parts[1]), "{says}");
         }
-        let says = all(&head, None).unwrap_err().to_string();
-        let parts = [format!("this looks like {expected}, "), expected.advice().to_owned()];
-        assert!(says.starts_with(&parts[0]) && says.ends_with(&parts[1]), "{says}");
     }
     let topology: &[u8] = br#"{"objects":{"type":"x"},"type":"Topology","arcs":[]}"#;
     for (head, expected) in [
@@ -201,8 +193,8 @@ fn other_formats_are_named() {
     ] as [(&[u8], Format); 8]
     {
         for format in [None, Some(Format::GeoJson), Some(Format::Wkt), Some(expected)] {
-            let error = all(head, format).unwrap_err();
-            assert!(matches!(error.cause, ReadCause::Elsewhere(found) if found == expected), "{error:?}");
+            let found = format_of(head, None, &ReadOptions { format, ..ReadOptions::default() });
+            assert!(found.is_ok_and(|found| found == expected), "{expected}");
         }
     }
     let says = all(b"ARROW1", None).unwrap_err().to_string();
@@ -232,14 +224,14 @@ fn what_is_read_is_not_taken_for_another_format() {
 #[test]
 fn nothing_and_anything() {
     for blank in ["", " \n\t", "\u{FEFF}\n"] {
-        assert!(matches!(all(blank, None).unwrap_err().cause, ReadCause::Empty), "{blank:?}");
+        assert!(matches!(all(blank, None), Err(ReadError::Empty)), "{blank:?}");
     }
     let error = all("id;x;y\n", None).unwrap_err();
-    assert!(matches!(error.cause, ReadCause::Unrecognised));
+    assert!(matches!(error, ReadError::Unrecognised));
     assert_eq!(
         error.to_string(),
-        "the format is not recognised: GeoJSON and well-known text are read; \
-         convert others with `ogr2ogr -f GeoJSONSeq map.geojsonl FILE`"
+        "the format is not recognised: GeoJSON, TopoJSON, well-known text and binary, Shapefiles, GeoPackages, GeoParquet and \
+         FlatGeobuf are read; convert others with `ogr2ogr -f GPKG map.gpkg FILE`"
     );
 }
 
@@ -258,10 +250,14 @@ impl Read for Broken<'_> {
 fn a_failing_reader() {
     for length in [0, 9, 70_000, 200_000] {
         let text = "#\nPOINT(1 2)".bytes().chain(core::iter::repeat(b' ')).take(length).collect::<Vec<_>>();
-        let error = read(Broken(&text), None, |_| Ok::<_, ReadError>(())).unwrap_err();
-        let ReadCause::Io(source) = &error.cause else { panic!("{error:?}") };
+        let source = match read_for_map(&mut Broken(&text), &ReadOptions::default()) {
+            Err(ReadError::Io(source)) if length < 1 << 16 => source,
+            Err(ReadError::Text(TextError {
+                place: TextPlace { line: 2, .. }, cause: ReadCause::Io(source), ..
+            })) => source,
+            other => panic!("{other:?}"),
+        };
         assert_eq!(source.kind(), io::ErrorKind::ConnectionReset);
-        assert_eq!(error.place.line, if length == 0 { 1 } else { 2 }, "{error:?}");
     }
 }
 

@@ -4,16 +4,27 @@ use std::io::{self, Read};
 
 use quickcheck::{Arbitrary, Gen, QuickCheck};
 use twinedge_formats::io::{MAX_NESTED_COLLECTIONS, ReadCause, ReadError, ReadSummary, TextPlace, wkt};
+use twinedge_formats::layer::{self, Format, read_for_map, to_map};
 use twinedge_geometry::Point;
 use twinedge_map::{Feature, Shape};
 
+/// Reads a text for a map. Returns the features before the error, if there is one.
+fn reading(text: &[u8]) -> (Vec<Feature>, Result<ReadSummary, ReadError>) {
+    let (mut features, mut summary) = (Vec::new(), ReadSummary::default());
+    let outcome = layer::read(&mut { text }, None, &crate::options(Format::Wkt), &mut |feature| {
+        features.push(to_map(&feature, &mut summary));
+        Ok(())
+    });
+    match outcome {
+        Ok(_) => (features, Ok(summary)),
+        Err(layer::ReadError::Text(error)) => (features, Err(error)),
+        Err(other) => panic!("{other}"),
+    }
+}
+
 fn read(text: impl AsRef<[u8]>) -> Result<(Vec<Feature>, ReadSummary), ReadError> {
-    let mut features = Vec::new();
-    let summary = wkt::read(text.as_ref(), |feature| {
-        features.push(feature);
-        Ok::<_, ReadError>(())
-    })?;
-    Ok((features, summary))
+    let (features, summary) = reading(text.as_ref());
+    Ok((features, summary?))
 }
 
 fn shapes(text: &str) -> Vec<Shape> {
@@ -119,21 +130,18 @@ fn empty_points_of_a_multi_point_are_left_out() {
 
 #[test]
 fn a_reference_system_before_a_geometry_is_read() {
-    let (features, summary) = read("SRID=4326;POINT(1 2)\nsrid=2056; POINT(3 4)\nPOINT(5 6)\n").unwrap();
+    let text = "srid=2056; POINT(3 4)\nSRID=4326;POINT(1 2)\nPOINT(5 6)\n";
+    let (features, summary) = read_for_map(&mut text.as_bytes(), &crate::options(Format::Wkt)).unwrap();
     assert_eq!(features.len(), 3);
-    // The second line has an unusual reference system.
+    // The first line decides, and has an unusual reference system.
     assert_eq!(summary.other_crs, 1);
 }
 
 /// Every error is reported with its line, the third, after the preceding geometry was handed over.
 fn fault_of(text: impl AsRef<[u8]>) -> ReadCause {
-    let mut count = 0;
     let all = [b"# first\nPOINT(1 2)\n", text.as_ref(), b"\nPOINT(5 6)\n"].concat();
-    let outcome = wkt::read(&all[..], |_| {
-        count += 1;
-        Ok::<_, ReadError>(())
-    });
-    assert_eq!(count, 1);
+    let (features, outcome) = reading(&all);
+    assert_eq!(features.len(), 1);
     let error = outcome.unwrap_err();
     assert_eq!((error.place, &error.feature), (TextPlace::line(3), &None));
     assert!(error.to_string().starts_with("line 3: "), "{error}");
@@ -217,8 +225,10 @@ fn deep_nesting_is_an_error() {
     let nested = |depth: usize, inner: &str| "GEOMETRYCOLLECTION(".repeat(depth) + inner + &")".repeat(depth);
     let polygons = "MULTIPOLYGON(((0 0,1 0,1 1)))";
     assert_eq!(shapes(&nested(MAX_NESTED_COLLECTIONS, polygons)).len(), 1);
-    for depth in [MAX_NESTED_COLLECTIONS + 1, 10_000, 100_000] {
-        for inner in [polygons, "POINT(1 2)", "POINT EMPTY"] {
+    // Brackets are counted: a multi-polygon has three of its own, a point one or none.
+    for depth in [1, 4, 10_000, 100_000].map(|more| MAX_NESTED_COLLECTIONS + more) {
+        let alone = depth == MAX_NESTED_COLLECTIONS + 1;
+        for inner in [polygons, "POINT(1 2)", "POINT EMPTY"].into_iter().take(if alone { 1 } else { 3 }) {
             let error = fault_of(nested(depth, inner));
             assert!(matches!(error, ReadCause::TooDeep), "{depth} {inner}: {error:?}");
         }
@@ -241,7 +251,7 @@ impl Read for Broken<'_> {
 #[test]
 fn io_errors() {
     for (text, expected) in [("", 1), ("POINT(1 2)", 1), ("POINT(1 2)\n", 2), ("\n\nPOIN", 3)] {
-        let error = wkt::read(Broken(text.as_bytes()), |_| Ok::<_, ReadError>(())).unwrap_err();
+        let error = wkt::read_geometries(Broken(text.as_bytes()), |_| Ok::<_, ReadError>(())).unwrap_err();
         let ReadCause::Io(source) = error.cause else { panic!("{:?}", error.cause) };
         assert_eq!((error.place, source.kind()), (TextPlace::line(expected), io::ErrorKind::ConnectionReset), "{text}");
     }
@@ -264,7 +274,7 @@ impl From<ReadError> for Mine {
 fn the_callback_can_stop_the_reading() {
     let stop_at = |limit: usize| {
         let mut count = 0;
-        wkt::read(&b"POINT(1 2)\nPOINT(1 2)\nnonsense"[..], |_| {
+        wkt::read_geometries(&b"POINT(1 2)\nPOINT(1 2)\nnonsense"[..], |_| {
             count += 1;
             if count == limit { Err(Mine::Enough) } else { Ok(()) }
         })

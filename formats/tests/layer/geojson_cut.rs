@@ -40,10 +40,7 @@ fn byte_by_byte(reader: impl Read) -> Outcome {
     let read = geojson::read_parts(reader, Documents::One, |part| {
         if let Part::Feature(mut feature) = part {
             feature.foreign_members = None;
-            geojson::read(feature.to_string().as_bytes(), |feature| {
-                features.push(feature);
-                Ok::<_, TextError>(())
-            })?;
+            features.extend(whole(feature.to_string().as_bytes()).0);
         }
         Ok::<_, TextError>(())
     });

@@ -5,20 +5,14 @@ use std::fs::File;
 use std::io::BufReader;
 use twinedge::validate::{Collect, Expectation, validate};
 use twinedge_coverage::{CoverageRule, Limits};
-use twinedge_formats::io::geojson::read;
+use twinedge_formats::layer::{ReadOptions, read_for_map};
 use twinedge_map::Feature;
 use twinedge_sphere::{Clash, Cover, Coverage, Drawing, Inside, Place, Subdivision, check};
 
 fn world(name: &str) -> Vec<Feature> {
     let path = format!("{}/../{name}", env!("CARGO_MANIFEST_DIR"));
-    let file = BufReader::new(File::open(path).expect("it is there"));
-    let mut features = Vec::new();
-    read(file, |feature| {
-        features.push(feature);
-        Ok::<_, twinedge_formats::io::ReadError>(())
-    })
-    .expect("it is GeoJSON");
-    features
+    let mut file = BufReader::new(File::open(path).expect("it is there"));
+    read_for_map(&mut file, &ReadOptions::default()).expect("it is GeoJSON").0
 }
 
 /// Returns the numbers of vertices, edges, components and faces, the clashes, and the findings.

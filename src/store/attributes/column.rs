@@ -210,40 +210,6 @@ impl<K: Attributed, T: Value> Column<K, T> {
     }
 }
 
-impl<K: Attributed, T: Value> Column<K, T> {
-    /// Distributes a value to several records, each with its measure, the largest first, as if one record had been split.
-    pub(super) fn spread(&mut self, value: T, parts: &[(KeyData, f64)], log: &mut Vec<Saved>) -> Result<(), Reason> {
-        let policy = self.policy.clone();
-        let (mut left, mut rest) = (Some(value), parts.iter().map(|(_, measure)| measure).sum::<f64>());
-        for (part, measure) in parts.iter().skip(1) {
-            let Some(value) = left else { break };
-            let [kept, given] = match &policy.splitting {
-                Splitting::Keep => [Some(value), None],
-                Splitting::Make => [Some(value), self.made()?],
-                Splitting::Copy => [Some(value.clone()), Some(value)],
-                Splitting::Share(share) => {
-                    share(&value, if rest > 0.0 { (measure / rest).min(1.0) } else { 0.0 }).map(Some)
-                }
-                Splitting::Call(split) => split(value)?,
-            };
-            (left, rest) = (kept, rest - measure);
-            self.give((*part).into(), given, log)?;
-        }
-        parts.first().map_or(Ok(()), |(largest, _)| self.give((*largest).into(), left, log))
-    }
-
-    /// Sets the value of a record, merging it with an existing value.
-    fn give(&mut self, key: K::Key, given: Option<T>, log: &mut Vec<Saved>) -> Result<(), Reason> {
-        let Some(given) = given else { return Ok(()) };
-        let value = match (self.values.get(key).cloned(), &self.policy.merging) {
-            (Some(had), Merging::Call(merge)) => merge(Some(had), Some(given))?,
-            (had, _) => Some(had.unwrap_or(given)),
-        };
-        self.put(key, value, log);
-        Ok(())
-    }
-}
-
 impl<K: Attributed, T: Value> AnyColumn for Column<K, T> {
     fn id(&self) -> u32 {
         self.id

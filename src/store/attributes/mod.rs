@@ -229,23 +229,6 @@ impl Attributes {
         }
     }
 
-    /// Distributes values of other records to the faces that they cover: each value with its faces, the largest first, and their areas.
-    /// If the policy refuses, nothing changes. An error if the attribute belongs to another structure.
-    pub(crate) fn spread<T: Value>(
-        &mut self,
-        of: Attribute<Faces, T>,
-        values: Vec<(T, Vec<(KeyData, f64)>)>,
-    ) -> Result<Result<(), &'static str>, ()> {
-        let start = self.log.len();
-        let column = self.columns.iter_mut().find(|column| column.id() == of.id).ok_or(())?;
-        let column = column.as_any_mut().downcast_mut::<Column<Faces, T>>().ok_or(())?;
-        let outcome = values.into_iter().try_for_each(|(value, parts)| column.spread(value, &parts, &mut self.log));
-        if outcome.is_err() {
-            self.rewind(start);
-        }
-        Ok(outcome)
-    }
-
     /// Returns the same attributes for faces cut into parts, given with their areas, the largest first, and for other records that are
     /// not part of a [`Dcel`](crate::dcel::Dcel). All remaining records have no value.
     ///

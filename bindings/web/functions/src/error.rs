@@ -65,7 +65,7 @@ impl From<layer::ReadError> for CallError {
             layer::ReadError::Content { place, .. } => of_layer_place(*place),
             layer::ReadError::Text(error) => {
                 let at = error.place;
-                let feature = error.feature.as_ref().map(|feature| ("feature", feature.index.into()));
+                let feature = error.feature.map(|feature| ("feature", feature.into()));
                 [("line", at.line.into()), ("column", at.column.into())].into_iter().chain(feature).collect()
             }
             layer::ReadError::Layers { layers, .. } => vec![("layers", layers.clone().into())],

@@ -4,7 +4,7 @@
 use quickcheck::QuickCheck;
 use std::collections::BTreeSet;
 use twinedge::dcel::{Face, FaceKey, StaleKey, Vertex};
-use twinedge_algorithm::area::{boundary_area, face_area, feature_area, ring_area};
+use twinedge_algorithm::area::{face_area, feature_area, ring_area};
 use twinedge_algorithm::claims::{faces_by_feature, faces_of, overlaps};
 use twinedge_algorithm::contour::{Contour, ContourError, Polygon, of_face, of_faces, of_feature, of_features};
 use twinedge_geometry::Point;
@@ -112,8 +112,6 @@ fn faces_that_have_no_contour_are_refused() {
     let stale = other.dcel().faces().last().expect("two faces").key();
     assert_eq!(of_face(&map, stale), Err(ContourError::Stale(StaleKey::Face(stale))));
     assert_eq!(face_area(&map, stale), Err(StaleKey::Face(stale)));
-    let boundary = other.dcel().boundaries().next().expect("two").key();
-    assert_eq!(boundary_area(&map, boundary), Err(StaleKey::Boundary(boundary)));
 }
 
 fn inside(ring: &[Point], p: Point) -> bool {

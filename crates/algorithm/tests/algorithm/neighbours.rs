@@ -4,8 +4,7 @@ use quickcheck::QuickCheck;
 use std::collections::{BTreeMap, BTreeSet};
 use twinedge::dcel::{Face, FaceKey, StaleKey};
 use twinedge_algorithm::colouring::feature_colours;
-use twinedge_algorithm::neighbours::{Neighbour, of_face, of_feature, pairs, touching_face, touching_feature};
-use twinedge_formats::io::{ReadError, geojson};
+use twinedge_algorithm::neighbours::{Neighbour, of_face, of_feature, pairs, touching_feature};
 use twinedge_geometry::Point;
 use twinedge_map::{Builder, Feature, FeatureId, PlanarMap, Shape};
 
@@ -164,22 +163,13 @@ fn faces_have_the_neighbours_that_one_sees() {
     assert_eq!(lengths(around), sorted(&[(outside, 8.0, 1), (east, 4.0, 1), (north, 4.0, 1), (inner, 8.0, 1)]));
     assert_eq!(lengths(east), sorted(&[(outside, 12.0, 1), (around, 4.0, 1)]));
     assert_eq!(lengths(outside), sorted(&[(around, 8.0, 1), (east, 12.0, 1), (north, 12.0, 1)]));
-    assert_eq!((touching_face(&map, east), touching_face(&map, north)), (Ok(vec![north]), Ok(vec![east])));
-    assert_eq!(touching_face(&map, around), Ok(vec![]));
 
     let stale = Builder::new().build().expect("fits").dcel().unbounded_face().key();
     assert_eq!(of_face(&map, stale), Err(StaleKey::Face(stale)));
-    assert_eq!(touching_face(&map, stale), Err(StaleKey::Face(stale)));
 }
 
 fn world() -> PlanarMap {
-    let mut builder = Builder::new();
-    geojson::read(include_bytes!("../../../../cli/data/world-110m.geojson").as_slice(), |feature| {
-        builder.feature(&feature).expect("longitudes and latitudes are in range");
-        Ok::<(), ReadError>(())
-    })
-    .expect("the file is GeoJSON");
-    builder.build().expect("the world fits")
+    crate::planar::world_maps().next().expect("the first is coarse")
 }
 
 #[test]

@@ -1,10 +1,10 @@
 //! Random plane maps with holes that touch, dangling edges and isolated vertices; and maps of the world.
 
 use quickcheck::{Arbitrary, Gen};
-use twinedge_formats::io::{ReadError, geojson};
+use twinedge_formats::layer::{ReadOptions, read_for_map};
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::Snap;
-use twinedge_map::{Builder, Feature, Noding, PlanarMap, Shape};
+use twinedge_map::{Builder, Noding, PlanarMap, Shape};
 
 /// Points, segments and rings with coordinates from 0 to 12.
 #[derive(Clone, Debug)]
@@ -47,13 +47,11 @@ pub(crate) fn noded(Scribble(shapes): &Scribble) -> PlanarMap {
     builder.build_with(Noding::Snap(Snap::Size(1.0))).expect("it is in reach of the grid")
 }
 
-fn read(bytes: &[u8], noding: Noding) -> PlanarMap {
+fn read(mut bytes: &[u8], noding: Noding) -> PlanarMap {
     let mut builder = Builder::new();
-    let mut take = |feature: Feature| -> Result<(), ReadError> {
+    for feature in read_for_map(&mut bytes, &ReadOptions::default()).expect("the file is GeoJSON").0 {
         builder.feature(&feature).expect("longitudes and latitudes are in range");
-        Ok(())
-    };
-    geojson::read(bytes, &mut take).expect("the file is GeoJSON");
+    }
     builder.build_with(noding).expect("the world fits")
 }
 

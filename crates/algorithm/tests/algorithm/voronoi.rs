@@ -7,7 +7,7 @@ use twinedge::program::choose::{Choose, Random};
 use twinedge_algorithm::area::face_area;
 use twinedge_algorithm::voronoi::{Delaunay, Voronoi, VoronoiError, delaunay, voronoi, voronoi_merging};
 use twinedge_geometry::Point;
-use twinedge_map::{Located, Locator};
+use twinedge_map::Located;
 
 fn points(coordinates: &[[f64; 2]]) -> Vec<Point> {
     coordinates.iter().copied().map(Point::from).collect()
@@ -127,7 +127,6 @@ fn few_sites_are_right(Few(few): Few) -> bool {
     assert!(centres.len() <= vertices && vertices <= nearly.len(), "{vertices}: {centres:?} {nearly:?}");
     // The nearest site of each lattice point is the site of its cell. Different squared distances between a lattice point and two
     // sites of this range differ by at least one, far more than rounding moves a border.
-    let locator = Locator::new(&diagram.map).unwrap();
     let distance = |i: usize, x: i64, y: i64| (whole[i][0] - x).pow(2) + (whole[i][1] - y).pow(2);
     for (x, y) in (0..16).flat_map(|x| (0..16).map(move |y| (x, y))) {
         let p = Point::new(x as f64, y as f64);
@@ -138,7 +137,7 @@ fn few_sites_are_right(Few(few): Few) -> bool {
         let least = (0..whole.len()).map(|i| distance(i, x, y)).min().unwrap();
         let nearest: BTreeSet<FaceKey> =
             (0..whole.len()).filter(|i| distance(*i, x, y) == least).map(|i| diagram.cells[i]).collect();
-        let at: Vec<FaceKey> = match locator.locate(p).unwrap() {
+        let at: Vec<FaceKey> = match diagram.map.locate(p).unwrap() {
             Located::Face(face) => vec![face],
             Located::Edge(h) => {
                 let h = diagram.map.dcel().half_edge(h).unwrap();
@@ -189,12 +188,11 @@ fn random_sites_anywhere_and_their_nearest() {
     for scale in [1.0, 1e-30, 1e30] {
         let sites: Vec<Point> = (0..500).map(|_| Point::new(scale * number(), scale * number())).collect();
         let (dual, diagram) = checked(&sites, None);
-        let locator = Locator::new(&diagram.map).unwrap();
         for _ in 0..1_000 {
             let p = Point::new(scale * number(), scale * number());
             let distance = |q: &Point| (p.x - q.x).hypot(p.y - q.y);
             let least = sites.iter().map(distance).fold(f64::INFINITY, f64::min);
-            if let Located::Face(face) = locator.locate(p).unwrap() {
+            if let Located::Face(face) = diagram.map.locate(p).unwrap() {
                 let site = diagram.cells.iter().position(|cell| *cell == face).unwrap();
                 assert!(distance(&sites[site]) <= least * (1.0 + 1e-9));
             }

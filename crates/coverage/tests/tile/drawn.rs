@@ -4,7 +4,7 @@ use crate::maps::{Random, feature, line, point};
 use crate::whole::{compare, grid};
 use twinedge_coverage::Limits;
 use twinedge_coverage::tile::Grid;
-use twinedge_formats::io::{ReadError, geojson};
+use twinedge_formats::layer::{ReadOptions, read_for_map};
 use twinedge_map::{Feature, Shape};
 
 fn cut(random: &mut Random) -> Vec<f64> {
@@ -42,14 +42,8 @@ fn random_maps_add_up_plane_or_not() {
     assert!((50..250).contains(&plane), "{plane}");
 }
 
-fn world(text: &[u8]) -> Vec<Feature> {
-    let mut features = Vec::new();
-    geojson::read(text, |feature| {
-        features.push(feature);
-        Ok::<(), ReadError>(())
-    })
-    .expect("it is GeoJSON");
-    features
+fn world(mut text: &[u8]) -> Vec<Feature> {
+    read_for_map(&mut text, &ReadOptions::default()).expect("it is GeoJSON").0
 }
 
 /// Runs `rounds` grids around the world.

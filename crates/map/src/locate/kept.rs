@@ -17,13 +17,12 @@ use twinedge_geometry::Point;
 use twinedge_geometry::predicates::{compare_lexicographic, in_range};
 
 impl PlanarMap {
-    /// Returns the location of a point, for a changing map. An edge is named by the half-edge that runs to the right, or straight
+    /// Returns the location of a point. An edge is named by the half-edge that runs to the right, or straight
     /// up.
     ///
     /// The first call builds an index in O(n log n), which the map maintains through all [edits](crate::edit). With it, a query
     /// costs the search of an R-tree for the records between the point and a nearby record: O(log n) if boxes hardly overlap, as
     /// on most maps, and O(n) at worst, for example among long slanted parallels or between the spokes of a star.
-    /// [`Locator`](crate::Locator) has no such worst case, but borrows the map.
     ///
     /// ```
     /// use twinedge_geometry::Point;

@@ -30,9 +30,6 @@ pub enum LocateError {
     /// The map is not plane.
     #[error(transparent)]
     NotPlane(#[from] NotPlane),
-    /// There are more edges than the index can number.
-    #[error("the map is too large for an index")]
-    TooLarge,
     /// A key is stale.
     #[error(transparent)]
     Stale(#[from] StaleKey),

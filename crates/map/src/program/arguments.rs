@@ -18,107 +18,57 @@ pub enum List {
     RetiredFaces,
 }
 
-/// Chooses a vertex of a map by its position in order of creation, modulo the length of the list.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum MapVertexPick {
-    /// A live vertex.
-    Live(u32),
-    /// A removed vertex: a stale key, on purpose.
-    Retired(u32),
-}
-
-impl Numbered for MapVertexPick {
-    type List = List;
-
-    const EXPECTED: Expected = Expected::MapVertex;
-    const VARIANTS: &'static [Variant<Self, List>] =
-        &[("v", Self::Live, List::Vertices), ("!v", Self::Retired, List::RetiredVertices)];
-
-    fn number(self) -> (usize, u32) {
-        match self {
-            Self::Live(k) => (0, k),
-            Self::Retired(k) => (1, k),
+/// A kind of record that an edit chooses: a live one, or a removed one by its stale key.
+macro_rules! record_pick {
+    ($(#[$doc:meta])* $pick:ident, $words:expr, $live:ident, $retired:ident, $expected:ident) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        pub enum $pick {
+            /// A live record.
+            Live(u32),
+            /// A removed record: a stale key, on purpose.
+            Retired(u32),
         }
-    }
 
-    fn choose(source: &mut impl Choose) -> Self {
-        live_or_retired(source, Self::Live, Self::Retired)
-    }
-}
+        impl Numbered for $pick {
+            type List = List;
 
-impl fmt::Display for MapVertexPick {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.write_word(f)
-    }
-}
+            const EXPECTED: Expected = Expected::$expected;
+            const VARIANTS: &'static [Variant<Self, List>] =
+                &[($words[0], Self::Live, List::$live), ($words[1], Self::Retired, List::$retired)];
 
-/// Chooses a half-edge of a map by its position in order of creation, modulo the length of the list.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum MapHalfEdgePick {
-    /// A live half-edge.
-    Live(u32),
-    /// A removed half-edge: a stale key, on purpose.
-    Retired(u32),
-}
+            fn number(self) -> (usize, u32) {
+                match self {
+                    Self::Live(k) => (0, k),
+                    Self::Retired(k) => (1, k),
+                }
+            }
 
-impl Numbered for MapHalfEdgePick {
-    type List = List;
-
-    const EXPECTED: Expected = Expected::HalfEdge;
-    const VARIANTS: &'static [Variant<Self, List>] =
-        &[("h", Self::Live, List::HalfEdges), ("!h", Self::Retired, List::RetiredHalfEdges)];
-
-    fn number(self) -> (usize, u32) {
-        match self {
-            Self::Live(k) => (0, k),
-            Self::Retired(k) => (1, k),
+            fn choose(source: &mut impl Choose) -> Self {
+                live_or_retired(source, Self::Live, Self::Retired)
+            }
         }
-    }
 
-    fn choose(source: &mut impl Choose) -> Self {
-        live_or_retired(source, Self::Live, Self::Retired)
-    }
-}
-
-impl fmt::Display for MapHalfEdgePick {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.write_word(f)
-    }
-}
-
-/// Chooses a face of a map by its position in order of creation, modulo the length of the list.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum MapFacePick {
-    /// A live face.
-    Live(u32),
-    /// A removed face: a stale key, on purpose.
-    Retired(u32),
-}
-
-impl Numbered for MapFacePick {
-    type List = List;
-
-    const EXPECTED: Expected = Expected::MapFace;
-    const VARIANTS: &'static [Variant<Self, List>] =
-        &[("f", Self::Live, List::Faces), ("!f", Self::Retired, List::RetiredFaces)];
-
-    fn number(self) -> (usize, u32) {
-        match self {
-            Self::Live(k) => (0, k),
-            Self::Retired(k) => (1, k),
+        impl fmt::Display for $pick {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                self.write_word(f)
+            }
         }
-    }
-
-    fn choose(source: &mut impl Choose) -> Self {
-        live_or_retired(source, Self::Live, Self::Retired)
-    }
+    };
 }
 
-impl fmt::Display for MapFacePick {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.write_word(f)
-    }
-}
+record_pick!(
+    /// Chooses a vertex of a map by its position in order of creation, modulo the length of the list.
+    MapVertexPick, ["v", "!v"], Vertices, RetiredVertices, MapVertex
+);
+record_pick!(
+    /// Chooses a half-edge of a map by its position in order of creation, modulo the length of the list.
+    MapHalfEdgePick, ["h", "!h"], HalfEdges, RetiredHalfEdges, HalfEdge
+);
+record_pick!(
+    /// Chooses a face of a map by its position in order of creation, modulo the length of the list.
+    MapFacePick, ["f", "!f"], Faces, RetiredFaces, MapFace
+);
 
 fn live_or_retired<P>(source: &mut impl Choose, live: fn(u32) -> P, retired: fn(u32) -> P) -> P {
     let k = source.choose(256) as u32;

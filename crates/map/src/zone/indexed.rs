@@ -6,46 +6,15 @@ use super::query::{QueryLine, ZoneElement};
 use super::selection::each_event;
 use crate::Embedding;
 use crate::locate::located::{LocateError, Located, check_range};
-use crate::locate::locator::Locator;
 use crate::planar_map::PlanarMap;
-use twinedge_geometry::Point;
 
-impl Locator<'_> {
+impl PlanarMap {
     /// Returns the elements along a line, in order. A face is listed again each time the line enters it.
     ///
     /// The R-tree of the map's index yields the edges, so edges elsewhere cost nothing, even a thousand islands in the same face.
     /// If the query meets m boxes of the tree, and k edges and vertices, this takes O(m + k log k), plus O(degree) for each
     /// vertex. The first call builds the index in O(n log n). On maps, m is typically a few times the square root of the number
     /// of edges; but if boxes fit their edges badly, as with long slanted parallels, m may be as large as the map.
-    ///
-    /// # Errors
-    /// [`LocateError::OutOfRange`]. [`LocateError::NoDirection`] if both points are equal; use [`Locator::locate`] then.
-    ///
-    /// ```
-    /// use twinedge_geometry::Point;
-    /// use twinedge_map::{Builder, Locator, ZoneElement, Shape, QueryLine};
-    ///
-    /// let mut builder = Builder::new();
-    /// let square = [[1.0, 0.0], [5.0, 0.0], [5.0, 4.0], [1.0, 4.0]];
-    /// builder.shape(&Shape::polygon(square))?;
-    /// builder.shape(&Shape::Point(Point::new(3.0, 2.0)))?;
-    /// let map = builder.build()?;
-    ///
-    /// let zone = Locator::new(&map)?.zone(&QueryLine::Segment(Point::new(0.0, 2.0), Point::new(5.0, 2.0)))?;
-    /// assert!(matches!(
-    ///     zone[..],
-    ///     [ZoneElement::Face(sea), ZoneElement::Edge(coast), ZoneElement::Face(land), ZoneElement::Vertex(_), ZoneElement::Face(still_land), ZoneElement::Edge(_)]
-    ///         if land == still_land && map.dcel().face(sea)?.is_unbounded() && map.dcel().half_edge(coast)?.face().key() == land
-    /// ));
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn zone(&self, query: &QueryLine) -> Result<Vec<ZoneElement>, LocateError> {
-        zone(self.map, query, |p| self.locate(p))
-    }
-}
-
-impl PlanarMap {
-    /// Returns the elements along a line, like [`Locator::zone`], for a changing map: [`PlanarMap::locate`] finds the beginning.
     ///
     /// ```
     /// use twinedge_geometry::Point;
@@ -61,50 +30,44 @@ impl PlanarMap {
     /// ```
     ///
     /// # Errors
-    /// As for [`Locator::zone`], and [`LocateError::NotPlane`].
+    /// [`LocateError::OutOfRange`]; [`LocateError::NotPlane`]. [`LocateError::NoDirection`] if both points are equal; use
+    /// [`locate`](Self::locate) then.
     pub fn zone(&self, query: &QueryLine) -> Result<Vec<ZoneElement>, LocateError> {
         self.plane()?;
-        zone(self, query, |p| self.locate(p))
-    }
-}
-
-fn zone(
-    map: &PlanarMap,
-    query: &QueryLine,
-    locate: impl FnOnce(Point) -> Result<Located, LocateError>,
-) -> Result<Vec<ZoneElement>, LocateError> {
-    let (QueryLine::Segment(from, through) | QueryLine::Ray(from, through) | QueryLine::Line(from, through)) = *query;
-    check_range(from)?;
-    check_range(through)?;
-    if from == through {
-        return Err(LocateError::NoDirection(from));
-    }
-    let line = Line { from, through };
-    let first = match query {
-        QueryLine::Line(..) => None,
-        QueryLine::Segment(..) | QueryLine::Ray(..) => Some(LinePlace::At(from)),
-    };
-    let to = if let QueryLine::Segment(..) = query { Some(through) } else { None };
-
-    let mut events = Vec::new();
-    each_event(map, &line, query, [None; 2], |event| {
-        if first.is_none_or(|first| line.order(first, event.place).is_lt())
-            && to.is_none_or(|to| line.order(event.place, LinePlace::At(to)).is_le())
-        {
-            events.push(event);
+        let (QueryLine::Segment(from, through) | QueryLine::Ray(from, through) | QueryLine::Line(from, through)) =
+            *query;
+        check_range(from)?;
+        check_range(through)?;
+        if from == through {
+            return Err(LocateError::NoDirection(from));
         }
-    });
-    events.sort_by(|a, b| line.order(a.place, b.place));
-    events.dedup_by(|a, b| line.order(a.place, b.place).is_eq());
+        let line = Line { from, through };
+        let first = match query {
+            QueryLine::Line(..) => None,
+            QueryLine::Segment(..) | QueryLine::Ray(..) => Some(LinePlace::At(from)),
+        };
+        let to = if let QueryLine::Segment(..) = query { Some(through) } else { None };
 
-    let start = match first {
-        None => ZoneStart::Piece(LinePiece::Face(map.dcel().unbounded_face()), None),
-        Some(_) => begin(map, &line, locate(from)?)?,
-    };
-    let mut zone = Vec::with_capacity(2 * events.len() + 2);
-    let mut events = events.into_iter();
-    follow(map, &line, to, start, |_, _| events.next(), |element| zone.push(element))?;
-    Ok(zone)
+        let mut events = Vec::new();
+        each_event(self, &line, query, [None; 2], |event| {
+            if first.is_none_or(|first| line.order(first, event.place).is_lt())
+                && to.is_none_or(|to| line.order(event.place, LinePlace::At(to)).is_le())
+            {
+                events.push(event);
+            }
+        });
+        events.sort_by(|a, b| line.order(a.place, b.place));
+        events.dedup_by(|a, b| line.order(a.place, b.place).is_eq());
+
+        let start = match first {
+            None => ZoneStart::Piece(LinePiece::Face(self.dcel().unbounded_face()), None),
+            Some(_) => begin(self, &line, self.locate(from)?)?,
+        };
+        let mut zone = Vec::with_capacity(2 * events.len() + 2);
+        let mut events = events.into_iter();
+        follow(self, &line, to, start, |_, _| events.next(), |element| zone.push(element))?;
+        Ok(zone)
+    }
 }
 
 /// Returns the event or piece in which a line begins.

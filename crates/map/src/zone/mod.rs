@@ -7,9 +7,8 @@
 //!       |____________|
 //! ```
 //!
-//! [`Locator::zone`](crate::Locator::zone) and [`PlanarMap::zone`](crate::PlanarMap::zone) find the edges in the R-tree of an
-//! index, and sort the k edges on the line in O(k log k). Both are exact, even through vertices and along edges: no intersection
-//! is ever computed, and there is no tolerance.
+//! [`PlanarMap::zone`](crate::PlanarMap::zone) finds the edges in the R-tree of an index, and sorts the k edges on the line in
+//! O(k log k). It is exact, even through vertices and along edges: no intersection is ever computed, and there is no tolerance.
 
 mod follow;
 mod indexed;

@@ -6,13 +6,12 @@ use quickcheck::{Gen, QuickCheck, Testable};
 use std::collections::BTreeMap;
 use twinedge::dcel::{Face, FaceKey, HalfEdge};
 use twinedge_algorithm::claims::{faces_of, leaks};
-use twinedge_algorithm::contour::{Contour, ContourError, of_feature};
+use twinedge_algorithm::contour::{Contour, ContourError, of_feature, of_features};
 use twinedge_algorithm::neighbours;
 use twinedge_algorithm::overlay::{Operand, overlay};
-use twinedge_formats::io;
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::Snap;
-use twinedge_map::{Builder, FeatureId, Located, Locator, PlanarMap};
+use twinedge_map::{Builder, FeatureId, Located, PlanarMap};
 
 /// The scale of query points, which lie between vertices: whole numbers of hundredths.
 const SCALE: i128 = 100;
@@ -127,12 +126,13 @@ fn overlays_lie_where_both_maps_say() {
         let both = overlay(left, right, Snap::Auto).expect("small numbers");
         let report = both.map().validate();
         assert!(report.is_valid(), "{report}");
-        let locator = Locator::new(both.map()).expect("it is plane");
         let plain = maps.each_ref().map(Plain::new);
         for p in samples() {
             // A point off an edge is far from it, compared with rounding.
             let (Some(in_left), Some(in_right)) = (face_at(&plain[0], p), face_at(&plain[1], p)) else { continue };
-            let Ok(Located::Face(face)) = locator.locate(float(p)) else { panic!("{p:?} is on no edge of either map") };
+            let Ok(Located::Face(face)) = both.map().locate(float(p)) else {
+                panic!("{p:?} is on no edge of either map")
+            };
             assert_eq!(both.face_in(Operand::Left, face), Ok(in_left), "{p:?}");
             assert_eq!(both.face_in(Operand::Right, face), Ok(in_right), "{p:?}");
             let mut expected = covers(left, in_left);
@@ -152,8 +152,8 @@ fn what_is_written_of_an_edited_map_covers_the_same() {
             return true;
         }
         let mut builder = Builder::new();
-        for feature in io::features(&map).expect("it is plane") {
-            builder.feature(&feature).expect("in range");
+        for feature in of_features(&map).expect("it is plane") {
+            builder.feature(&feature.into()).expect("in range");
         }
         let again = builder.build().expect("fits");
         assert!(again.is_plane());

@@ -30,7 +30,6 @@ mod support {
 mod attributes;
 mod audited;
 mod certificate;
-mod diff;
 mod drawing;
 mod edit;
 mod edit_numbers;

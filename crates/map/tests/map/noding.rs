@@ -1,9 +1,9 @@
 //! Maps of segments that cross, touch and overlap: cut exactly, or snapped to a grid, with features that follow.
 
+use crate::location::maps::features;
 use quickcheck::{Gen, QuickCheck, TestResult};
 use std::collections::BTreeSet;
 use twinedge::dcel::Face;
-use twinedge_formats::io::{ReadError, geojson};
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::{NodingSummary, Snap};
 use twinedge_map::{BuildError, Builder, Feature, FeatureId, Noding, PlanarMap, Shape};
@@ -207,13 +207,7 @@ fn coordinates_out_of_reach_of_the_grid_are_refused_and_named() {
 #[test]
 fn the_crossing_map_of_the_world_snapped_is_the_map_after_its_crossings_were_cut() {
     // The counts in the README of the data, for the map with both crossings cut.
-    let file: &[u8] = include_bytes!("../../../../tests/data/world-110m-crossing.geojson");
-    let mut features = Vec::new();
-    geojson::read(file, |feature| {
-        features.push(feature);
-        Ok::<_, ReadError>(())
-    })
-    .expect("it is a map");
+    let features = features(include_bytes!("../../../../tests/data/world-110m-crossing.geojson"));
     let map = gather(&features).build_with(Noding::Snap(Snap::Auto)).expect("in reach");
     assert_eq!(counts(&map), [7_493, 7_655, 288]);
     let report = map.validate();

@@ -4,7 +4,7 @@ use twinedge_algorithm::lattice;
 use twinedge_algorithm::overlay::overlay;
 use twinedge_coverage::{Limits, check};
 use twinedge_geometry::noding::Snap;
-use twinedge_map::{Builder, Locator, PlanarMap};
+use twinedge_map::{Builder, PlanarMap, QueryLine};
 
 fn built(segments: &[[[f64; 2]; 2]]) -> PlanarMap {
     let mut builder = Builder::new();
@@ -23,7 +23,7 @@ fn a_refusal_says_where_edges_meet_and_what_cuts_them() {
     ] {
         let mut map = built(&segments);
         let mut refusals = vec![
-            Locator::new(&map).unwrap_err().to_string(),
+            map.zone(&QueryLine::Line([0.0, 0.0].into(), [5.0, 5.0].into())).unwrap_err().to_string(),
             map.locate([5.0, 5.0].into()).unwrap_err().to_string(),
             lattice::of_map(&map).unwrap_err().to_string(),
             check(&map, &Limits::default()).unwrap_err().to_string(),

@@ -1,9 +1,9 @@
 //! Building maps: merged, dropped and refused input, nesting, and the faces that each feature covers.
 
+use crate::location::maps::world_110m;
 use quickcheck::{QuickCheck, TestResult};
 use std::collections::BTreeSet;
 use twinedge::dcel::{Boundary, Face};
-use twinedge_formats::io::{ReadError, geojson};
 use twinedge_geometry::Point;
 use twinedge_map::{BuildError, Builder, Feature, FeatureId, PlanarMap, Position, Shape};
 
@@ -263,19 +263,9 @@ fn any_segments_are_built_and_judged_rightly() {
     QuickCheck::new().tests(2000).quickcheck(built_and_judged as fn(Vec<((u8, u8), (u8, u8))>, bool) -> bool);
 }
 
-fn world() -> PlanarMap {
-    let mut builder = Builder::new();
-    geojson::read(include_bytes!("../../../../cli/data/world-110m.geojson").as_slice(), |feature| {
-        builder.feature(&feature).expect("longitudes and latitudes are in range");
-        Ok::<(), ReadError>(())
-    })
-    .expect("the file is GeoJSON");
-    builder.build().expect("the world fits")
-}
-
 #[test]
 fn the_world_is_covered_by_its_countries() {
-    let map = world();
+    let map = world_110m();
     let named = |name: &str| map.features().find(|f| map.name(*f) == Some(name)).expect("it is on the map");
     let (lesotho, south_africa) = (named("Lesotho"), named("South Africa"));
     let mut contested = 0;

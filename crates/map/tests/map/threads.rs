@@ -1,11 +1,11 @@
 //! Maps built and queried by several threads, compared bit for bit with one thread.
 
+use crate::location::maps::features;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use twinedge_coverage::{Limits, check};
-use twinedge_formats::io::{ReadError, geojson};
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::{Noded, Snap, node, node_within};
-use twinedge_map::{Builder, Feature, Locator, Noding, PlanarMap, Shape};
+use twinedge_map::{Builder, Feature, Noding, PlanarMap, Shape};
 
 fn threads(number: usize) -> ThreadPool {
     ThreadPoolBuilder::new().num_threads(number).build().expect("threads can be had")
@@ -20,14 +20,7 @@ fn same<T: PartialEq + core::fmt::Debug + Send>(say: impl Fn() -> T + Sync) -> T
 }
 
 fn world() -> Vec<Feature> {
-    let mut features = Vec::new();
-    let file = include_bytes!("../../../../tests/data/world-50m.geojson");
-    geojson::read(file.as_slice(), |feature| {
-        features.push(feature);
-        Ok::<(), ReadError>(())
-    })
-    .expect("the file is GeoJSON");
-    features
+    features(include_bytes!("../../../../tests/data/world-50m.geojson"))
 }
 
 fn build(features: &[Feature], noding: Noding) -> PlanarMap {
@@ -111,18 +104,4 @@ fn several_threads_find_in_a_coverage_what_one_finds() {
     let map = build(&features, Noding::Snap(Snap::Auto));
     let found = same(|| check(&map, &Limits::default()).expect("it is plane").findings);
     assert!(found.len() > 100, "{}", found.len());
-}
-
-#[test]
-fn several_threads_index_and_locate_as_one_does() {
-    let map = build(&world(), Noding::None);
-    let locator = Locator::new(&map).expect("it is plane");
-    let mut random = random();
-    let mut points: Vec<Point> =
-        (0..20_000).map(|_| Point::new(360.0 * random() - 180.0, 180.0 * random() - 90.0)).collect();
-    points.extend(map.dcel().vertices().step_by(100).map(|v| map.position(v.key()).expect("of this map")));
-    points.push(Point::new(1e300, 0.0));
-    let places = same(|| Locator::new(&map).expect("it is plane").locate_all(&points));
-    assert!(places.iter().copied().eq(points.iter().map(|p| locator.locate(*p))));
-    assert!(places.last().is_some_and(Result::is_err));
 }

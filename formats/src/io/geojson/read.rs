@@ -4,21 +4,13 @@ use core::cell::Cell;
 use core::fmt;
 use std::io::Read;
 
-use ::geojson::feature::Id;
 use ::geojson::{Feature as Parsed, FeatureCollection, GeoJson, GeometryValue, JsonValue, Position};
 use serde::de::value::MapAccessDeserializer;
-use serde::de::{
-    Deserialize, DeserializeSeed, Deserializer, Error, IgnoredAny, IntoDeserializer, MapAccess, SeqAccess, Visitor,
-};
+use serde::de::{Deserialize, DeserializeSeed, Deserializer, Error, IntoDeserializer, MapAccess, SeqAccess, Visitor};
 use serde_json::error::Category;
 
-use super::crs;
 use super::input::{self, Progress};
-use crate::io::error::{FeatureLabel, MAX_NESTED_COLLECTIONS, ReadCause, ReadError, TextPlace};
-use crate::io::properties::Properties;
-use crate::io::summary::ReadSummary;
-use twinedge_geometry::Point;
-use twinedge_map::{Feature, Shape};
+use crate::io::error::{MAX_NESTED_COLLECTIONS, ReadCause, ReadError, TextPlace};
 
 /// The number of GeoJSON objects in a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -39,72 +31,13 @@ pub enum Part {
     Member(String, JsonValue),
 }
 
-/// Reads a map, passing its features to `each` in the order of the file.
+/// Reads a file without dropping anything: passes features to `each` in the order of the file, in the types of the crate
+/// `geojson`, with their properties, foreign members and all dimensions, and the members of the outermost object.
 ///
-/// The reader is buffered inside. Faults may appear only after some features have been passed on; `each` can stop reading with an
-/// error of its own, which is then returned. Time O(bytes); memory O(largest feature).
-///
-/// # Errors
-/// [`ReadError`], converted to `E`, and the errors of `each`. Content after the end of the object is [`ReadCause::Trailing`].
-pub fn read<R, E>(reader: R, mut each: impl FnMut(Feature) -> Result<(), E>) -> Result<ReadSummary, E>
-where
-    R: Read,
-    E: From<ReadError>,
-{
-    read_with_properties(reader, |feature, _| each(feature))
-}
-
-/// Like [`read`], with the properties of each feature.
-pub(in crate::io) fn read_with_properties<R, E>(
-    reader: R,
-    each: impl FnMut(Feature, &Properties) -> Result<(), E>,
-) -> Result<ReadSummary, E>
-where
-    R: Read,
-    E: From<ReadError>,
-{
-    read_features(reader, Documents::One, each)
-}
-
-/// Reads a map of any number of successive GeoJSON objects: newline-delimited GeoJSON, with one object per line, and text
-/// sequences ([RFC 8142](https://www.rfc-editor.org/rfc/rfc8142)), with a record separator before each. Line breaks and record
-/// separators count as white space, which is optional between objects.
-///
-/// Like [`read`], with the features of all objects in the order of the file. An empty file is a map without features.
-///
-/// ```
-/// use twinedge_formats::io::{ReadError, geojson};
-///
-/// let text = "{\"type\":\"Point\",\"coordinates\":[1,2]}\n{\"type\":\"Point\",\"coordinates\":[3,4]}\n";
-/// let summary = geojson::read_sequence(text.as_bytes(), |_| Ok::<_, ReadError>(()))?;
-/// assert_eq!((summary.features, summary.points), (2, 2));
-/// # Ok::<_, ReadError>(())
-/// ```
-///
-/// # Errors
-/// As for [`read`].
-pub fn read_sequence<R, E>(reader: R, mut each: impl FnMut(Feature) -> Result<(), E>) -> Result<ReadSummary, E>
-where
-    R: Read,
-    E: From<ReadError>,
-{
-    read_sequence_with_properties(reader, |feature, _| each(feature))
-}
-
-/// Like [`read_sequence`], with the properties of each feature.
-pub(in crate::io) fn read_sequence_with_properties<R, E>(
-    reader: R,
-    each: impl FnMut(Feature, &Properties) -> Result<(), E>,
-) -> Result<ReadSummary, E>
-where
-    R: Read,
-    E: From<ReadError>,
-{
-    read_features(reader, Documents::Many, each)
-}
-
-/// Reads a file without dropping anything: features in the types of the crate `geojson`, with their properties, foreign members
-/// and all dimensions, and the members of the outermost object. Otherwise like [`read`] and [`read_sequence`].
+/// Documents in a row may have one object per line, or record separators before them
+/// ([RFC 8142](https://www.rfc-editor.org/rfc/rfc8142)): both count as white space, which is optional. The reader is buffered
+/// inside. Faults may appear only after some features have been passed on; `each` can stop reading with an error of its own,
+/// which is then returned. Time O(bytes); memory O(largest feature).
 ///
 /// ```
 /// use twinedge_formats::io::ReadError;
@@ -126,7 +59,7 @@ where
 /// ```
 ///
 /// # Errors
-/// As for [`read`].
+/// [`ReadError`], converted to `E`, and the errors of `each`. Content after the end of the object is [`ReadCause::Trailing`].
 pub fn read_parts<R, E>(reader: R, documents: Documents, mut each: impl FnMut(Part) -> Result<(), E>) -> Result<(), E>
 where
     R: Read,
@@ -136,15 +69,15 @@ where
     let mut take = |part| {
         if let Part::Feature(feature) = &part {
             let checked = feature.geometry.as_ref().map_or(Ok(()), |geometry| check(&geometry.value, 0));
-            checked.map_err(|cause| (None, cause))?;
+            checked?;
         }
         Ok(each(part).map_err(|error| failure = Some(error)).is_ok())
     };
-    let outcome = read_all(reader, documents, true, &mut take);
+    let outcome = read_all(reader, documents, &mut take);
     match (failure, outcome) {
         (Some(failure), _) => Err(failure),
         (None, Err(error)) => Err(error.into()),
-        (None, Ok(_)) => Ok(()),
+        (None, Ok(())) => Ok(()),
     }
 }
 
@@ -170,45 +103,17 @@ fn check(value: &GeometryValue, depth: usize) -> Result<(), ReadCause> {
     }
 }
 
-fn read_features<R, E>(
-    reader: R,
-    documents: Documents,
-    mut each: impl FnMut(Feature, &Properties) -> Result<(), E>,
-) -> Result<ReadSummary, E>
-where
-    R: Read,
-    E: From<ReadError>,
-{
-    let mut failure = None;
-    let mut summary = ReadSummary::default();
-    let mut take = |part| {
-        let Part::Feature(parsed) = part else { return Ok(true) };
-        let (feature, properties) = converted(*parsed, &mut summary)?;
-        Ok(each(feature, &properties).map_err(|error| failure = Some(error)).is_ok())
-    };
-    let outcome = read_all(reader, documents, false, &mut take);
-    match (failure, outcome) {
-        (Some(failure), _) => Err(failure),
-        (None, Err(error)) => Err(error.into()),
-        (None, Ok(other_crs)) => Ok(ReadSummary { other_crs, ..summary }),
-    }
-}
-
-/// A fault of a feature that the crate accepted, with the feature's name.
-type Fault = (Option<String>, ReadCause);
-
-/// Passes on all parts, and returns the number of objects that name another reference system. `take` returns true to continue.
+/// Passes on all parts. `take` returns true to continue.
 fn read_all(
     reader: impl Read,
     documents: Documents,
-    keep_members: bool,
-    take: &mut dyn FnMut(Part) -> Result<bool, Fault>,
-) -> Result<usize, ReadError> {
+    take: &mut dyn FnMut(Part) -> Result<bool, ReadCause>,
+) -> Result<(), ReadError> {
     let progress = Cell::new(Progress::START);
     let text = input::open(reader, &progress, documents == Documents::Many)
         .map_err(|error| ReadError::new(progress.get().at, ReadCause::Io(error)))?;
     let mut input = serde_json::Deserializer::from_reader(text);
-    let mut sink = Sink { take, keep_members, features: 0, other_crs: 0, in_features: false, fault: None };
+    let mut sink = Sink { take, features: 0, in_features: false, fault: None };
     if documents == Documents::One {
         read_document(&mut input, &mut sink, &progress)?;
     }
@@ -222,7 +127,7 @@ fn read_all(
             (_, cause) => return Err(ReadError::new(error.place, cause)),
         }
     }
-    Ok(sink.other_crs)
+    Ok(())
 }
 
 /// Reads one object. Also returns an error if `each` stopped reading.
@@ -235,11 +140,11 @@ fn read_document<'de>(
         let error = classify(error, progress.get());
         let index = sink.features;
         match (&error.cause, sink.fault.take()) {
-            (ReadCause::Malformed { .. } | ReadCause::OutOfRange | ReadCause::TooDeep, Some((name, cause))) => {
-                ReadError::new(error.place, cause).in_feature(FeatureLabel { index, name })
+            (ReadCause::Malformed { .. } | ReadCause::OutOfRange | ReadCause::TooDeep, Some(cause)) => {
+                ReadError::new(error.place, cause).in_feature(index)
             }
             (ReadCause::Malformed { .. } | ReadCause::OutOfRange | ReadCause::TooDeep, None) if sink.in_features => {
-                error.in_feature(FeatureLabel { index, name: None })
+                error.in_feature(index)
             }
             _ => error,
         }
@@ -270,15 +175,12 @@ fn classify(error: serde_json::Error, progress: Progress) -> ReadError {
 
 struct Sink<'f> {
     /// Takes a part, and returns true to continue.
-    take: &'f mut dyn FnMut(Part) -> Result<bool, Fault>,
-    /// True if the members of the outermost object are also passed on.
-    keep_members: bool,
+    take: &'f mut dyn FnMut(Part) -> Result<bool, ReadCause>,
     features: usize,
-    other_crs: usize,
     /// True while an element of `"features"` is being read.
     in_features: bool,
     /// Serde only learns that there is a fault, and adds the place.
-    fault: Option<Fault>,
+    fault: Option<ReadCause>,
 }
 
 impl Sink<'_> {
@@ -299,106 +201,6 @@ impl Sink<'_> {
 
 /// The columns that may hold the name of a feature, unless specified otherwise; the first existing one counts.
 pub const NAME_COLUMNS: [&str; 7] = ["name", "NAME", "Name", "ADMIN", "admin", "title", "id"];
-
-/// Converts a feature of the crate to one for a map, with its properties.
-fn converted(parsed: Parsed, summary: &mut ReadSummary) -> Result<(Feature, Properties), Fault> {
-    let label = |value: &JsonValue| match value {
-        JsonValue::String(text) => Some(text.clone()),
-        JsonValue::Number(number) => Some(number.to_string()),
-        _ => None,
-    };
-    let name = NAME_COLUMNS.into_iter().find_map(|key| parsed.property(key).and_then(label));
-    let properties = parsed.properties.as_ref().map_or(0, |properties| properties.len());
-    summary.dropped_properties += properties - usize::from(name.is_some());
-    let id = parsed.id.map(|id| match id {
-        Id::String(text) => text,
-        Id::Number(number) => number.to_string(),
-    });
-    let mut shapes = FeatureShapes::default();
-    let added = parsed.geometry.map_or(Ok(()), |geometry| shapes.add(geometry.value, 0));
-    if let Err(cause) = added {
-        return Err((name, cause));
-    }
-    let feature = Feature { name, id, shapes: shapes.shapes };
-    summary.add(&feature, shapes.with_extra_dimensions, shapes.empty);
-    Ok((feature, Properties { object: parsed.properties.unwrap_or_default() }))
-}
-
-#[derive(Default)]
-struct FeatureShapes {
-    shapes: Vec<Shape>,
-    with_extra_dimensions: usize,
-    /// The number of lines and polygons without positions, which are not among the shapes.
-    empty: usize,
-}
-
-impl FeatureShapes {
-    /// Adds a geometry inside this many collections, a number that bounds the recursion.
-    fn add(&mut self, value: GeometryValue, depth: usize) -> Result<(), ReadCause> {
-        match value {
-            GeometryValue::Point { coordinates } => {
-                let point = self.point(&coordinates)?;
-                self.shapes.push(Shape::Point(point));
-            }
-            GeometryValue::MultiPoint { coordinates } => {
-                let points = self.line(coordinates)?;
-                self.shapes.extend(points.into_iter().map(Shape::Point));
-            }
-            GeometryValue::LineString { coordinates } => self.add_line(coordinates)?,
-            GeometryValue::MultiLineString { coordinates } => {
-                coordinates.into_iter().try_for_each(|line| self.add_line(line))?;
-            }
-            GeometryValue::Polygon { coordinates } => self.add_polygon(coordinates)?,
-            GeometryValue::MultiPolygon { coordinates } => {
-                coordinates.into_iter().try_for_each(|rings| self.add_polygon(rings))?;
-            }
-            GeometryValue::GeometryCollection { .. } if depth == MAX_NESTED_COLLECTIONS => {
-                return Err(ReadCause::TooDeep);
-            }
-            GeometryValue::GeometryCollection { geometries } => {
-                geometries.into_iter().try_for_each(|geometry| self.add(geometry.value, depth + 1))?;
-            }
-        }
-        Ok(())
-    }
-
-    fn add_line(&mut self, line: Vec<Position>) -> Result<(), ReadCause> {
-        let points = self.line(line)?;
-        if points.is_empty() {
-            self.empty += 1;
-        } else {
-            self.shapes.push(Shape::Line(points));
-        }
-        Ok(())
-    }
-
-    fn add_polygon(&mut self, rings: Vec<Vec<Position>>) -> Result<(), ReadCause> {
-        let rings = rings.into_iter().map(|ring| self.line(ring)).collect::<Result<Vec<_>, _>>()?;
-        if rings.is_empty() {
-            self.empty += 1;
-        } else {
-            self.shapes.push(Shape::Polygon(rings));
-        }
-        Ok(())
-    }
-
-    fn line(&mut self, positions: Vec<Position>) -> Result<Vec<Point>, ReadCause> {
-        // Collecting results would not reserve the memory at once.
-        let mut points = Vec::with_capacity(positions.len());
-        for position in positions {
-            points.push(self.point(&position)?);
-        }
-        Ok(points)
-    }
-
-    fn point(&mut self, position: &Position) -> Result<Point, ReadCause> {
-        let &[x, y, ref extra @ ..] = position.as_slice() else {
-            return Err(ReadCause::ShortPosition { numbers: position.len() });
-        };
-        self.with_extra_dimensions += usize::from(!extra.is_empty());
-        Ok(Point { x, y })
-    }
-}
 
 /// The parts of a document that this module handles itself.
 #[derive(Clone, Copy)]
@@ -473,14 +275,13 @@ fn with_members(mut feature: Parsed, kept: Vec<(String, JsonValue)>) -> Parsed {
     feature
 }
 
-/// The members of the outermost object as presented to the crate: without irrelevant members, which the crate would keep in
-/// memory, and with an empty array for `"features"`, whose elements go to the sink.
+/// The members of the outermost object as presented to the crate: without irrelevant members, and with an empty array for `"features"`, whose elements go to the sink.
 struct Members<'s, 'f, A> {
     inner: A,
     sink: &'s mut Sink<'f>,
     at_features: bool,
     has_features: bool,
-    /// The irrelevant members, if they are kept.
+    /// The irrelevant members.
     kept: Vec<(String, JsonValue)>,
 }
 
@@ -494,15 +295,8 @@ impl<'de, A: MapAccess<'de>> MapAccess<'de> for Members<'_, '_, A> {
                 self.at_features = known == "features";
                 return seed.deserialize(known.into_deserializer()).map(Some);
             }
-            if self.sink.keep_members {
-                let value = self.inner.next_value()?;
-                self.kept.push((key, value));
-            } else if key == "crs" {
-                let name = self.inner.next_value_seed(crs::NAME)?;
-                self.sink.other_crs += usize::from(name.is_some_and(|name| crs::is_other(&name)));
-            } else {
-                self.inner.next_value::<IgnoredAny>()?;
-            }
+            let value = self.inner.next_value()?;
+            self.kept.push((key, value));
         }
         Ok(None)
     }

@@ -22,16 +22,14 @@ use twinedge_map::Feature;
 /// ```
 /// use twinedge_geometry::Point;
 /// use twinedge_map::{Feature, Shape};
-/// use twinedge_formats::io::{ReadError, geojson};
+/// use twinedge_formats::io::geojson;
+/// use twinedge_formats::layer::{ReadOptions, read_for_map};
 ///
 /// let peak = Shape::Point(Point::new(7.6585, 45.9764));
 /// let feature = Feature { name: Some("Matterhorn".into()), id: Some("4478".into()), shapes: vec![peak] };
 /// let mut text = Vec::new();
 /// geojson::write(&mut text, &[feature.clone()])?;
-/// geojson::read(text.as_slice(), |again| {
-///     assert_eq!(again, feature);
-///     Ok::<_, ReadError>(())
-/// })?;
+/// assert_eq!(read_for_map(&mut text.as_slice(), &ReadOptions::default())?.0, [feature]);
 /// # Ok::<_, Box<dyn std::error::Error>>(())
 /// ```
 pub fn write(mut writer: impl Write, features: &[Feature]) -> Result<(), WriteError> {

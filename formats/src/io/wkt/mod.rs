@@ -3,18 +3,6 @@
 //! The grammar follows the `wkt` crate: `POINT`, `LINESTRING`, `LINEARRING`, `POLYGON`, their `MULTI` forms and
 //! `GEOMETRYCOLLECTION`, each with an optional `Z`, `M` or `ZM`, in upper or lower case. Without these, three numbers of a
 //! position are x, y and z, and four are x, y, z and m. `SRID=2056;` may stand before a geometry, as PostGIS writes it.
-//!
-//! ```
-//! use twinedge_formats::io::{ReadError, wkt};
-//!
-//! let text = "# two parcels\nPOLYGON((0 0, 1 0, 1 1, 0 0))\nPOLYGON((0 0, 1 1, 0 1, 0 0))\n";
-//! let summary = wkt::read(text.as_bytes(), |feature| {
-//!     assert_eq!(feature.shapes.len(), 1);
-//!     Ok::<_, ReadError>(())
-//! })?;
-//! assert_eq!((summary.polygons, summary.positions), (2, 8));
-//! # Ok::<_, ReadError>(())
-//! ```
 
 mod dialect;
 
@@ -28,40 +16,10 @@ use ::wkt::types::{
 
 use self::dialect::{plain, split_srid, with_nothing};
 use super::error::{MAX_NESTED_COLLECTIONS, ReadCause, ReadError, TextPlace};
-use super::summary::ReadSummary;
 use super::unread::{unread_geometry, unread_in};
 use super::write::{self, GeometryPiece, WriteError};
 use twinedge_geometry::Point;
-use twinedge_map::{Feature, Shape};
-
-/// Reads a map, passing the geometry of each line to `each` as an unnamed feature.
-///
-/// Blank lines and lines that start with `#` are skipped, and so is a byte order mark. Collections are flattened, empty
-/// geometries draw nothing, numbers beyond x and y are dropped and counted, and rings may be open. The reader is
-/// buffered inside. Time O(bytes); memory O(longest line).
-///
-/// # Errors
-///
-/// [`ReadError`] with the line, converted to `E`, and the errors of `each`. Earlier lines have been passed on by then.
-pub fn read<R, E>(reader: R, mut each: impl FnMut(Feature) -> Result<(), E>) -> Result<ReadSummary, E>
-where
-    R: Read,
-    E: From<ReadError>,
-{
-    let mut summary = ReadSummary::default();
-    read_geometries(reader, |GeometryLine { number, srid, geometry }| {
-        let mut shapes = LineShapes { line: number, shapes: Vec::new(), with_extra_dimensions: 0, empty: 0 };
-        shapes.add(geometry, 0)?;
-        let feature = Feature { shapes: shapes.shapes, ..Feature::default() };
-        summary.add(&feature, shapes.with_extra_dimensions, shapes.empty);
-        summary.other_crs += usize::from(srid.is_some_and(|srid| srid != WGS_84));
-        each(feature)
-    })?;
-    Ok(summary)
-}
-
-/// The number of the reference system of longitudes and latitudes on WGS 84.
-const WGS_84: i64 = 4326;
+use twinedge_map::Feature;
 
 /// A line with a geometry.
 #[derive(Clone, Debug, PartialEq)]
@@ -75,10 +33,13 @@ pub struct GeometryLine {
     pub geometry: Wkt<f64>,
 }
 
-/// Reads a file without dropping anything, like [`read`], but without checking numbers. A point with NaN coordinates is empty.
+/// Reads a file, passing the geometry of each line to `each`. Numbers are not checked. A point with NaN coordinates is empty.
+///
+/// Blank lines and lines that start with `#` are skipped, and so is a byte order mark. The reader is buffered inside. Time
+/// O(bytes); memory O(longest line).
 ///
 /// # Errors
-/// As for [`read`].
+/// [`ReadError`] with the line, converted to `E`, and the errors of `each`. Earlier lines have been passed on by then.
 ///
 /// ```
 /// use twinedge_formats::io::{ReadError, wkt};
@@ -179,77 +140,6 @@ fn check_frame(text: &str, line: usize) -> Result<(), ReadError> {
         }
     }
     Err(error_in(line, syntax("expected ( or EMPTY, and a ) for every (")))
-}
-
-struct LineShapes {
-    line: usize,
-    shapes: Vec<Shape>,
-    with_extra_dimensions: usize,
-    /// The number of points, lines and polygons without positions, which are not among the shapes.
-    empty: usize,
-}
-
-impl LineShapes {
-    /// Adds the shapes of a geometry inside `depth` collections. The recursion is as deep as they are nested.
-    fn add(&mut self, geometry: Wkt<f64>, depth: usize) -> Result<(), ReadError> {
-        if depth > MAX_NESTED_COLLECTIONS {
-            return Err(error_in(self.line, ReadCause::TooDeep));
-        }
-        match geometry {
-            Wkt::Point(point) => self.add_point(&point),
-            Wkt::MultiPoint(points) => points.points().iter().try_for_each(|point| self.add_point(point)),
-            Wkt::LineString(line) => self.add_line(&line),
-            Wkt::MultiLineString(lines) => lines.line_strings().iter().try_for_each(|line| self.add_line(line)),
-            Wkt::Polygon(polygon) => self.add_polygon(&polygon),
-            Wkt::MultiPolygon(polygons) => polygons.polygons().iter().try_for_each(|polygon| self.add_polygon(polygon)),
-            Wkt::GeometryCollection(all) => {
-                let (geometries, _) = all.into_inner();
-                geometries.into_iter().try_for_each(|geometry| self.add(geometry, depth + 1))
-            }
-        }
-    }
-
-    fn add_point(&mut self, point: &::wkt::types::Point<f64>) -> Result<(), ReadError> {
-        if let Some(coord) = point.coord() {
-            let point = self.position(coord)?;
-            self.shapes.push(Shape::Point(point));
-        } else {
-            self.empty += 1;
-        }
-        Ok(())
-    }
-
-    fn add_line(&mut self, line: &LineString<f64>) -> Result<(), ReadError> {
-        let points = self.positions(line)?;
-        if points.is_empty() {
-            self.empty += 1;
-        } else {
-            self.shapes.push(Shape::Line(points));
-        }
-        Ok(())
-    }
-
-    fn add_polygon(&mut self, polygon: &Polygon<f64>) -> Result<(), ReadError> {
-        let rings: Vec<_> = polygon.rings().iter().map(|ring| self.positions(ring)).collect::<Result<_, _>>()?;
-        if rings.is_empty() {
-            self.empty += 1;
-        } else {
-            self.shapes.push(Shape::Polygon(rings));
-        }
-        Ok(())
-    }
-
-    fn positions(&mut self, line: &LineString<f64>) -> Result<Vec<Point>, ReadError> {
-        line.coords().iter().map(|coord| self.position(coord)).collect()
-    }
-
-    fn position(&mut self, &Coord { x, y, z, m }: &Coord<f64>) -> Result<Point, ReadError> {
-        if !(x.is_finite() && y.is_finite()) {
-            return Err(error_in(self.line, ReadCause::OutOfRange));
-        }
-        self.with_extra_dimensions += usize::from(z.is_some() || m.is_some());
-        Ok(Point { x, y })
-    }
 }
 
 /// Writes features, one geometry per line; names are not written.

@@ -1,20 +1,15 @@
 //! A real map: drawing and erasing lines across it.
 
+use crate::location::maps::features;
 use std::collections::BTreeMap;
 use twinedge::dcel::{Face, HalfEdge};
-use twinedge_formats::io::{ReadError, geojson};
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::{Snap, node};
 use twinedge_map::{Builder, Feature, PlanarMap, Shape};
 
 /// The world, rounded to a grid of the returned size.
 fn world() -> (PlanarMap, Snap) {
-    let mut features = Vec::new();
-    geojson::read(include_bytes!("../../../../../cli/data/world-110m.geojson").as_slice(), |feature| {
-        features.push(feature);
-        Ok::<(), ReadError>(())
-    })
-    .expect("the file is GeoJSON");
+    let mut features = features(include_bytes!("../../../../../cli/data/world-110m.geojson"));
     let mut segments = Vec::new();
     let rings = |feature: &Feature| -> Vec<Vec<Point>> {
         let polygon = |shape: &Shape| match shape {

@@ -2,7 +2,7 @@
 
 use crate::location::maps::{Random, build};
 use twinedge_geometry::Point;
-use twinedge_map::{Located, Locator, PlanarMap, QueryLine, ZoneElement};
+use twinedge_map::{Located, PlanarMap, QueryLine, ZoneElement};
 
 type Segments = Vec<[[f64; 2]; 2]>;
 
@@ -17,10 +17,9 @@ fn map(segments: &Segments) -> PlanarMap {
 /// Every end is found, and so are the points directly above and below the middle of every segment.
 fn check(segments: &Segments) {
     let map = map(segments);
-    let locator = Locator::new(&map).unwrap();
     for [a, b] in segments {
-        assert!(matches!(locator.locate(Point::from(*a)).unwrap(), Located::Vertex(_)));
-        assert!(matches!(locator.locate(Point::from(*b)).unwrap(), Located::Vertex(_)));
+        assert!(matches!(map.locate(Point::from(*a)).unwrap(), Located::Vertex(_)));
+        assert!(matches!(map.locate(Point::from(*b)).unwrap(), Located::Vertex(_)));
     }
     let mut random = Random(9);
     for _ in 0..20 {
@@ -31,7 +30,7 @@ fn check(segments: &Segments) {
             continue;
         }
         // The last element of a zone is the location of its end.
-        let zone = locator.zone(&QueryLine::Segment(from, middle)).unwrap();
+        let zone = map.zone(&QueryLine::Segment(from, middle)).unwrap();
         let last = match *zone.last().unwrap() {
             ZoneElement::Face(f) => Located::Face(f),
             ZoneElement::Vertex(v) => Located::Vertex(v),
@@ -41,7 +40,7 @@ fn check(segments: &Segments) {
                 Located::Edge(if p < q { h.key() } else { h.twin().key() })
             }
         };
-        assert_eq!(locator.locate(middle), Ok(last));
+        assert_eq!(map.locate(middle), Ok(last));
     }
 }
 
@@ -90,12 +89,11 @@ fn isolated_vertices() {
     let mut random = Random(4);
     let points: Vec<Point> = (0..4000).map(|_| Point::new(random.unit(), random.unit())).collect();
     let map = build(&points, &[]);
-    let locator = Locator::new(&map).unwrap();
     for v in map.dcel().vertices() {
         let p = map.position(v.key()).unwrap();
-        assert_eq!(locator.locate(p), Ok(Located::Vertex(v.key())));
-        assert_eq!(locator.locate(Point::new(p.x, 0.5)), Ok(Located::Face(map.dcel().unbounded_face().key())));
-        let up = locator.zone(&QueryLine::Ray(Point::new(p.x, -1.0), p)).unwrap();
+        assert_eq!(map.locate(p), Ok(Located::Vertex(v.key())));
+        assert_eq!(map.locate(Point::new(p.x, 0.5)), Ok(Located::Face(map.dcel().unbounded_face().key())));
+        let up = map.zone(&QueryLine::Ray(Point::new(p.x, -1.0), p)).unwrap();
         assert!(matches!(up[..], [_, ZoneElement::Vertex(w), _] if w == v.key()));
     }
 }

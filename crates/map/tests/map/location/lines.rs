@@ -3,7 +3,7 @@
 use crate::location::maps::{Drawing, Random, point, quickcheck, world, world_110m};
 use crate::support::oracle::Plain;
 use twinedge_geometry::Point;
-use twinedge_map::{Builder, LocateError, Locator, PlanarMap, QueryLine, Shape, ZoneElement};
+use twinedge_map::{Builder, LocateError, PlanarMap, QueryLine, Shape, ZoneElement};
 
 /// Returns an end for a query, mostly on the grid of the vertices.
 fn place(x: u8, y: u8) -> Point {
@@ -16,12 +16,12 @@ fn place(x: u8, y: u8) -> Point {
 
 fn zones(drawing: Drawing, queries: Vec<(u8, u8, u8, u8)>) -> bool {
     let map = drawing.map();
-    let (plain, locator) = (Plain::new(&map), Locator::new(&map).unwrap());
+    let plain = Plain::new(&map);
     queries.into_iter().all(|(a, b, c, d)| {
         let (from, to) = (place(a, b), place(c, d));
         [QueryLine::Segment(from, to), QueryLine::Ray(from, to), QueryLine::Line(from, to)].iter().all(|stretch| {
             let expected = if from == to { Err(LocateError::NoDirection(from)) } else { Ok(plain.zone(stretch)) };
-            locator.zone(stretch) == expected
+            map.zone(stretch) == expected
         })
     })
 }
@@ -61,7 +61,6 @@ fn is_a_way(map: &PlanarMap, met: &[ZoneElement]) -> bool {
 #[test]
 fn across_the_world_and_back() {
     let map = world_110m();
-    let locator = Locator::new(&map).unwrap();
     let vertices: Vec<_> = map.dcel().vertices().collect();
     let mut random = Random(1);
     let mut most = 0;
@@ -71,15 +70,14 @@ fn across_the_world_and_back() {
         let (from, w) = (map.position(v.key()).unwrap(), map.position(w.key()).unwrap());
         let anywhere = Point::new(random.between(-181.0, 191.0), random.between(-91.0, 84.0));
         let to = [w, anywhere, Point::new(w.x, from.y), Point::new(from.x, w.y)][i % 4];
-        let there = locator.zone(&QueryLine::Segment(from, to)).unwrap();
+        let there = map.zone(&QueryLine::Segment(from, to)).unwrap();
         assert!(is_a_way(&map, &there));
         assert_eq!(there[0], ZoneElement::Vertex(v.key()));
-        assert_eq!(locator.zone(&QueryLine::Segment(to, from)).unwrap(), turned(&map, &there));
-        assert_eq!(map.zone(&QueryLine::Segment(from, to)).unwrap(), there);
+        assert_eq!(map.zone(&QueryLine::Segment(to, from)).unwrap(), turned(&map, &there));
         // The line is the common part of the two rays, plus the rest of each.
-        let line = locator.zone(&QueryLine::Line(from, to)).unwrap();
-        let onwards = locator.zone(&QueryLine::Ray(from, to)).unwrap();
-        let back = locator.zone(&QueryLine::Ray(to, from)).unwrap();
+        let line = map.zone(&QueryLine::Line(from, to)).unwrap();
+        let onwards = map.zone(&QueryLine::Ray(from, to)).unwrap();
+        let back = map.zone(&QueryLine::Ray(to, from)).unwrap();
         assert!(is_a_way(&map, &line) && onwards.starts_with(&there));
         assert!(line.ends_with(&onwards) && line.starts_with(&turned(&map, &back)));
         most = most.max(there.len());
@@ -91,8 +89,7 @@ fn across_the_world_and_back() {
 fn a_parallel_crosses_the_countries_of_the_atlas() {
     // Along 1.5 degrees north, from the Atlantic to the Indian Ocean.
     let map = world(include_bytes!("../../../../../tests/data/world-50m.geojson"));
-    let met =
-        Locator::new(&map).unwrap().zone(&QueryLine::Segment(Point::new(5.0, 1.5), Point::new(50.0, 1.5))).unwrap();
+    let met = map.zone(&QueryLine::Segment(Point::new(5.0, 1.5), Point::new(50.0, 1.5))).unwrap();
     let mut countries = Vec::new();
     for met in met {
         if let ZoneElement::Face(face) = met {
@@ -106,9 +103,8 @@ fn a_parallel_crosses_the_countries_of_the_atlas() {
 #[test]
 fn lines_that_miss_touch_and_end_inside() {
     let map = Drawing::square().map();
-    let locator = Locator::new(&map).unwrap();
     let unbounded = ZoneElement::Face(map.dcel().unbounded_face().key());
-    let zone = |stretch| locator.zone(&stretch).unwrap();
+    let zone = |stretch| map.zone(&stretch).unwrap();
     // Past the square, and through one of its corners only.
     assert_eq!(zone(QueryLine::Line(point(-9, 50), point(9, 50))), [unbounded]);
     assert_eq!(zone(QueryLine::Segment(point(-9, 50), point(9, 60))), [unbounded]);
@@ -139,12 +135,11 @@ fn lines_that_miss_touch_and_end_inside() {
 #[test]
 fn what_cannot_be_asked_is_an_error() {
     let map = Drawing::square().map();
-    let locator = Locator::new(&map).unwrap();
     let (p, bad) = (point(1, 1), Point::new(1e200, 0.0));
     for stretch in [QueryLine::Segment(p, bad), QueryLine::Ray(bad, p), QueryLine::Line(p, bad)] {
-        assert_eq!(locator.zone(&stretch), Err(LocateError::OutOfRange(bad)));
+        assert_eq!(map.zone(&stretch), Err(LocateError::OutOfRange(bad)));
     }
-    assert_eq!(locator.zone(&QueryLine::Line(p, p)), Err(LocateError::NoDirection(p)));
+    assert_eq!(map.zone(&QueryLine::Line(p, p)), Err(LocateError::NoDirection(p)));
 
     // Two triangles that overlap.
     let mut builder = Builder::new();
@@ -166,7 +161,7 @@ fn a_vertex_one_unit_in_the_last_place_beside_a_line_is_not_met() {
     builder.shape(&Shape::Point(Point::new(18.0, 18.0))).expect("in range");
     let map = builder.build().expect("fits");
     let line = QueryLine::Line(Point::new(12.0, 12.0), Point::new(24.0, 24.0));
-    let met = Locator::new(&map).expect("it is plane").zone(&line).expect("in range");
+    let met = map.zone(&line).expect("in range");
     let vertices = met.iter().filter_map(|met| match met {
         ZoneElement::Vertex(v) => map.position(*v).ok(),
         _ => None,

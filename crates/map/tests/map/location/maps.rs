@@ -1,10 +1,10 @@
 //! Maps for queries.
 
 use quickcheck::{Arbitrary, Gen, QuickCheck, Testable};
-use twinedge_formats::io::{ReadError, geojson};
+use twinedge_formats::layer::{ReadOptions, read_for_map};
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::{Snap, node};
-use twinedge_map::{Builder, PlanarMap};
+use twinedge_map::{Builder, Feature, PlanarMap};
 
 pub(crate) fn quickcheck(tests: u64, property: impl Testable) {
     QuickCheck::new().rng(Gen::from_size_and_seed(40, 1991)).tests(tests).quickcheck(property);
@@ -82,13 +82,15 @@ pub(crate) fn build(points: &[Point], segments: &[[u32; 2]]) -> PlanarMap {
     builder.build().expect("fits")
 }
 
+pub(crate) fn features(mut file: &[u8]) -> Vec<Feature> {
+    read_for_map(&mut file, &ReadOptions::default()).expect("the file is GeoJSON").0
+}
+
 pub(crate) fn world(file: &[u8]) -> PlanarMap {
     let mut builder = Builder::new();
-    geojson::read(file, |feature| {
+    for feature in features(file) {
         builder.feature(&feature).expect("longitudes and latitudes are in range");
-        Ok::<(), ReadError>(())
-    })
-    .expect("the file is GeoJSON");
+    }
     builder.build().expect("the world fits")
 }
 

@@ -3,5 +3,5 @@
 mod edited;
 mod families;
 mod lines;
-mod maps;
+pub(crate) mod maps;
 mod points;

@@ -6,17 +6,17 @@ use std::collections::HashMap;
 use twinedge::dcel::FaceKey;
 use twinedge_geometry::predicates::{Orientation, compare_lexicographic, on_segment, orientation};
 use twinedge_geometry::{MAX_COORDINATE, Point};
-use twinedge_map::{Builder, LocateError, Located, Locator, PlanarMap, Shape};
+use twinedge_map::{Builder, LocateError, Located, PlanarMap, Shape};
 
 /// Every point of a grid twice as fine, and slightly beyond, is located consistently with every edge and vertex.
 fn grid_maps(drawing: Drawing) -> bool {
     let map = drawing.map();
-    let (plain, locator) = (Plain::new(&map), Locator::new(&map).unwrap());
+    let plain = Plain::new(&map);
     let ask = -2..=Drawing::SIDE + 2;
     ask.clone().step_by(2).all(|x| {
         ask.clone().step_by(2).all(|y| {
             let p = point(x, y);
-            locator.locate(p) == Ok(plain.locate(whole(p), 1))
+            map.locate(p) == Ok(plain.locate(whole(p), 1))
         })
     })
 }
@@ -26,20 +26,10 @@ fn the_index_agrees_with_the_oracle() {
     quickcheck(1500, grid_maps as fn(Drawing) -> bool);
 }
 
-/// Returns true if both are equal, up to the half-edge that names an edge.
-pub(crate) fn same_edge(map: &PlanarMap, a: Located, b: Located) -> bool {
-    match (a, b) {
-        (Located::Edge(h), Located::Edge(g)) => h == g || map.dcel().half_edge(h).unwrap().twin().key() == g,
-        _ => a == b,
-    }
-}
-
 #[test]
 fn neither_scale_nor_place_matters() {
-    /// The corners of the grid in front of the index are not vertices, and may even be out of range.
     fn property(drawing: Drawing) -> bool {
         let map = drawing.map();
-        let locator = Locator::new(&map).unwrap();
         [2_f64.powi(490), 2_f64.powi(-399)].into_iter().all(|scale| {
             let scaled = |p: Point| Point::new(p.x * scale, p.y * scale);
             let mut builder = Builder::new();
@@ -52,13 +42,12 @@ fn neither_scale_nor_place_matters() {
                 builder.segment(from, to).unwrap();
             }
             let other = builder.build().unwrap();
-            let other_locator = Locator::new(&other).unwrap();
             // Keys may differ, but the kind of location and the points sharing a face may not.
             let mut faces: HashMap<FaceKey, FaceKey> = HashMap::new();
             (0..=Drawing::SIDE).all(|x| {
                 (0..=Drawing::SIDE).all(|y| {
                     let p = point(x, y);
-                    match (locator.locate(p).unwrap(), other_locator.locate(scaled(p)).unwrap()) {
+                    match (map.locate(p).unwrap(), other.locate(scaled(p)).unwrap()) {
                         (Located::Face(f), Located::Face(g)) => *faces.entry(f).or_insert(g) == g,
                         (Located::Edge(_), Located::Edge(_)) | (Located::Vertex(_), Located::Vertex(_)) => true,
                         _ => false,
@@ -75,27 +64,23 @@ fn nothing_is_around_nothing() {
     let map = Builder::new().build().unwrap();
     let unbounded = map.dcel().unbounded_face().key();
     let origin = Point::default();
-    assert_eq!(Locator::new(&map).unwrap().locate(origin), Ok(Located::Face(unbounded)));
     assert_eq!(map.locate(origin), Ok(Located::Face(unbounded)));
 }
 
 #[test]
 fn what_cannot_be_asked_is_an_error() {
     let map = Drawing::square().map();
-    let locator = Locator::new(&map).unwrap();
     for p in [Point::new(0.0, f64::INFINITY), Point::new(2.0 * MAX_COORDINATE, 0.0), Point::new(1e-200, 0.0)] {
-        assert_eq!(locator.locate(p), Err(LocateError::OutOfRange(p)));
         assert_eq!(map.locate(p), Err(LocateError::OutOfRange(p)));
     }
-    assert!(matches!(locator.locate(Point::new(f64::NAN, 0.0)), Err(LocateError::OutOfRange(_))));
+    assert!(matches!(map.locate(Point::new(f64::NAN, 0.0)), Err(LocateError::OutOfRange(_))));
     assert!(matches!(map.locate(Point::new(0.0, f64::NAN)), Err(LocateError::OutOfRange(_))));
 }
 
 #[test]
-fn a_map_that_is_not_plane_has_no_index() {
+fn a_map_that_is_not_plane_refuses_locations() {
     let map = world(include_bytes!("../../../../../tests/data/world-110m-crossing.geojson"));
     assert!(!map.is_plane());
-    assert_eq!(Locator::new(&map).unwrap_err(), map.not_plane().unwrap().into());
     assert_eq!(map.locate(Point::default()), Err(map.not_plane().unwrap().into()));
 }
 
@@ -123,7 +108,6 @@ fn by_parity(map: &PlanarMap, p: Point) -> Located {
 #[test]
 fn the_world_is_where_every_border_says() {
     let map = world_110m();
-    let locator = Locator::new(&map).unwrap();
     let places: Vec<Point> = map.dcel().vertices().map(|v| map.position(v.key()).unwrap()).collect();
     let mut random = Random(110);
     for i in 0..240 {
@@ -132,17 +116,15 @@ fn the_world_is_where_every_border_says() {
         // Anywhere, at a vertex, level with one, above or below one, and combinations.
         let p = [p, v, Point::new(p.x, v.y), Point::new(v.x, p.y), Point::new(v.x, w.y)][i % 5];
         let expected = by_parity(&map, p);
-        assert_eq!(locator.locate(p), Ok(expected), "{p:?}");
-        assert!(same_edge(&map, map.locate(p).unwrap(), expected), "{p:?}");
+        assert_eq!(map.locate(p), Ok(expected), "{p:?}");
     }
 }
 
 #[test]
 fn every_vertex_is_found_and_every_edge_of_the_large_world_has_its_faces_beside_it() {
     let map = world(include_bytes!("../../../../../tests/data/world-50m.geojson"));
-    let locator = Locator::new(&map).unwrap();
     for v in map.dcel().vertices() {
-        assert_eq!(locator.locate(map.position(v.key()).unwrap()), Ok(Located::Vertex(v.key())));
+        assert_eq!(map.locate(map.position(v.key()).unwrap()), Ok(Located::Vertex(v.key())));
     }
     for h in map.dcel().edges() {
         let [a, b] = [h.origin(), h.target()].map(|v| map.position(v.key()).unwrap());
@@ -154,7 +136,7 @@ fn every_vertex_is_found_and_every_edge_of_the_large_world_has_its_faces_beside_
             Orientation::Collinear if compare_lexicographic(a, b).is_lt() => (h, h.face()),
             Orientation::Collinear => (h.twin(), h.face()),
         };
-        let expected = match locator.locate(p).unwrap() {
+        let expected = match map.locate(p).unwrap() {
             Located::Edge(key) => key == half_edge.key(),
             Located::Face(key) => key == face.key() && orientation(a, b, p) != Orientation::Collinear,
             Located::Vertex(_) => false,
@@ -166,7 +148,6 @@ fn every_vertex_is_found_and_every_edge_of_the_large_world_has_its_faces_beside_
 #[test]
 fn countries_and_seas_are_where_they_are() {
     let map = world_110m();
-    let locator = Locator::new(&map).unwrap();
     let unbounded = map.dcel().unbounded_face().key();
     let known: [(f64, f64, &[&str], bool); 4] = [
         (28.25, -29.5, &["Lesotho"], false),
@@ -176,9 +157,8 @@ fn countries_and_seas_are_where_they_are() {
         (-30.0, 0.0, &[], true),
     ];
     for (x, y, names, at_sea) in known {
-        let Ok(Located::Face(face)) = locator.locate(Point::new(x, y)) else { panic!("({x}, {y}) is in a face") };
+        let Ok(Located::Face(face)) = map.locate(Point::new(x, y)) else { panic!("({x}, {y}) is in a face") };
         let features: Vec<_> = map.features_of(face).unwrap().filter_map(|f| map.name(f)).collect();
         assert_eq!((features.as_slice(), face == unbounded), (names, at_sea));
-        assert_eq!(map.locate(Point::new(x, y)), Ok(Located::Face(face)));
     }
 }

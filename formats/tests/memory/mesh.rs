@@ -1,49 +1,11 @@
-//! The counts declared in a header cost no memory, and the content of a file costs little.
+//! The counts declared in a header cost no memory, and the content of a mesh costs little.
 
-use std::alloc::{GlobalAlloc, Layout, System};
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+use crate::peak;
 use twinedge::validate::Collect;
 use twinedge_formats::mesh::{Format, HalfEdgeMesh, IndexedMesh, read_bytes};
 
-struct Counting;
-
-static NOW: AtomicUsize = AtomicUsize::new(0);
-static PEAK: AtomicUsize = AtomicUsize::new(0);
-/// Only one test measures at a time.
-static TURN: Mutex<()> = Mutex::new(());
-
-#[allow(unsafe_code, reason = "an allocator that counts and passes everything on")]
-// SAFETY: every call goes to the allocator of the system as it is.
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        let now = NOW.fetch_add(layout.size(), Relaxed) + layout.size();
-        PEAK.fetch_max(now, Relaxed);
-        // SAFETY: as above.
-        unsafe { System.alloc(layout) }
-    }
-
-    unsafe fn dealloc(&self, at: *mut u8, layout: Layout) {
-        NOW.fetch_sub(layout.size(), Relaxed);
-        // SAFETY: as above.
-        unsafe { System.dealloc(at, layout) }
-    }
-}
-
-#[global_allocator]
-static COUNTING: Counting = Counting;
-
-/// Returns the peak memory during the work, beyond the memory in use before.
-fn peak(work: impl FnOnce()) -> usize {
-    let before = NOW.load(Relaxed);
-    PEAK.store(before, Relaxed);
-    work();
-    PEAK.load(Relaxed) - before
-}
-
 #[test]
 fn claims_cost_nothing() {
-    let _turn = TURN.lock();
     let xyz = "property float x\nproperty float y\nproperty float z\n";
     let list = "property list uint int vertex_indices\n";
     let ply = |encoding: &str, body: &[u8]| {
@@ -77,7 +39,6 @@ fn claims_cost_nothing() {
 
 #[test]
 fn joining_takes_memory_in_proportion() {
-    let _turn = TURN.lock();
     let faces = |n: u32| (0..n).map(move |i| [i, i + 1, i + 2]);
     let used = |n: u32| {
         let mesh = IndexedMesh::from_faces(vec![[0.0; 3]; n as usize + 2], faces(n)).expect("indices in range");
