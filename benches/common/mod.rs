@@ -5,6 +5,7 @@
 use twinedge::dcel::{Dcel, Face, HalfEdge, Vertex};
 use twinedge::validate::{Link, Part, Parts, View};
 use twinedge::view_answers;
+use twinedge_formats::layer::{ReadOptions, read_for_map};
 use twinedge_map::{Builder, Feature, PlanarMap};
 
 /// A grid of `side` × `side` vertices, each square cut in two triangles.
@@ -178,7 +179,7 @@ impl Mesh {
 /// The features of `world-50m`.
 pub fn world_50m_features() -> Vec<Feature> {
     let mut file: &[u8] = include_bytes!("../../tests/data/world-50m.geojson");
-    twinedge_formats::layer::read_for_map(&mut file, &Default::default()).expect("the file is GeoJSON").0
+    read_for_map(&mut file, &ReadOptions::default()).expect("the file is GeoJSON").0
 }
 
 /// The map of `world-50m`.
