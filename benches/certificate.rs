@@ -94,7 +94,9 @@ fn drawn_map() -> PlanarMap {
         None => common::world_50m_features(),
         Some(path) => {
             let mut file = std::fs::File::open(path).expect("MAP is a file");
-            twinedge_formats::layer::read_for_map(&mut file, &Default::default()).expect("MAP is GeoJSON").0
+            twinedge_formats::layer::read_for_map(&mut file, &twinedge_formats::layer::ReadOptions::default())
+                .expect("MAP is GeoJSON")
+                .0
         }
     };
     let mut builder = Builder::new();
