@@ -74,8 +74,6 @@ export interface AuditOptions extends MapOptions, GapOptions {
   list?: number;
   /** Say the usual cause of each finding, and its remedy. */
   explain?: boolean;
-  /** Edges between longitudes and latitudes are straight on the map, or arcs of great circles; then widths are in metres. Without `snap`. */
-  edges?: "straight" | "geodesic";
   /** Judge the arcs of TopoJSON as they are shared. */
   arcs?: boolean;
   /** The input is a topology of PostGIS, as `psql` writes it. */
@@ -88,10 +86,6 @@ export interface AuditOptions extends MapOptions, GapOptions {
   triangles?: boolean;
   sides?: number;
   noUnusedVertices?: boolean;
-  /** M9 to M11: no face has all corners on one line; faces meet in common corners and edges only; faces of closed components face outwards. */
-  noZeroArea?: boolean;
-  noCrossings?: boolean;
-  outward?: boolean;
 }
 
 /** Options of `acceptAll`. */

@@ -132,25 +132,6 @@ describe("audit", () => {
     assert.equal((await twinedge.audit(closed, { genus: 1 })).valid, false);
   });
 
-  it("judges where the points of a mesh are, on request", async () => {
-    const inwards = "OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 3 1\n3 1 3 2\n3 2 3 0\n";
-    const space = { noZeroArea: true, noCrossings: true, outward: true };
-    assert.equal((await twinedge.audit(inwards)).valid, true);
-    const { findings } = await twinedge.audit(inwards, space);
-    assert.deepEqual(findings.map(({ rule, kind }) => [rule, kind]), [["M11", "inside_out"]]);
-  });
-
-  it("takes edges for arcs of great circles, on request", async () => {
-    const side = (ring) => ({ type: "Feature", properties: {}, geometry: { type: "Polygon", coordinates: [ring] } });
-    // The arc of the southern feature bulges to the north, over a vertex of the northern one.
-    const south = side([[0, 45], [20, 45], [20, 49], [0, 49], [0, 45]]);
-    const north = side([[0, 49], [10, 49], [20, 49], [20, 53], [0, 53], [0, 49]]);
-    const map = { type: "FeatureCollection", features: [south, north] };
-    assert.equal((await twinedge.audit(map)).coverage.overlaps, 0);
-    assert.equal((await twinedge.audit(map, { edges: "geodesic" })).coverage.overlaps, 1);
-    await assert.rejects(twinedge.audit(map, { edges: "round" }), { name: "OptionError", message: /edges/ });
-  });
-
   it("makes a page and a layer of what it found", async () => {
     const page = await twinedge.auditPage(overlapping);
     assert.match(page, /^<!doctype html>/);

@@ -4,10 +4,10 @@ use crate::error::CallError;
 use serde::Deserialize;
 use serde_json::Value;
 use twinedge_coverage::Limits;
-use twinedge_formats::mesh::{HalfEdgeMesh, SpaceRule};
+use twinedge_formats::mesh::HalfEdgeMesh;
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::Snap;
-use twinedge_report::{Accepted, CoverageOptions, Edges, MapOptions, Options};
+use twinedge_report::{Accepted, CoverageOptions, MapOptions, Options};
 
 /// A grid: `"auto"`, or the greatest width of its cells.
 #[derive(Clone, Debug, Deserialize)]
@@ -24,16 +24,6 @@ pub(crate) fn snap(grid: Option<&Grid>) -> Result<Option<Snap>, CallError> {
         Some(Grid::Size(size)) if *size > 0.0 && size.is_finite() => Ok(Some(Snap::Size(*size))),
         Some(Grid::Word(word)) if word == "auto" => Ok(Some(Snap::Auto)),
         Some(_) => Err(CallError::option("snap: neither \"auto\" nor a positive number")),
-    }
-}
-
-/// Returns the requested shape of edges.
-fn edges(word: Option<&str>) -> Result<Option<Edges>, CallError> {
-    match word {
-        None => Ok(None),
-        Some("straight") => Ok(Some(Edges::Straight)),
-        Some("geodesic") => Ok(Some(Edges::Geodesic)),
-        Some(_) => Err(CallError::option("edges: neither \"straight\" nor \"geodesic\"")),
     }
 }
 
@@ -85,7 +75,6 @@ pub(crate) struct AuditOptions {
     pub(crate) accept: Option<Value>,
     pub(crate) reason: Option<String>,
     pub(crate) geodesic: bool,
-    pub(crate) edges: Option<String>,
     pub(crate) arcs: bool,
     pub(crate) postgis: bool,
     pub(crate) closed: bool,
@@ -95,9 +84,6 @@ pub(crate) struct AuditOptions {
     pub(crate) triangles: bool,
     pub(crate) sides: Option<usize>,
     pub(crate) no_unused_vertices: bool,
-    pub(crate) no_zero_area: bool,
-    pub(crate) no_crossings: bool,
-    pub(crate) outward: bool,
 }
 
 impl AuditOptions {
@@ -148,11 +134,6 @@ impl AuditOptions {
         if self.no_unused_vertices {
             mesh = mesh.no_unused_vertices();
         }
-        let space = [
-            (self.no_zero_area, SpaceRule::Area),
-            (self.no_crossings, SpaceRule::Crossing),
-            (self.outward, SpaceRule::Outward),
-        ];
         Ok(Options {
             list: self.list,
             accepted: self.accepted()?,
@@ -160,9 +141,7 @@ impl AuditOptions {
             map: self.map()?,
             coverage: CoverageOptions { is_rule: self.coverage, limits },
             geodesic: self.geodesic,
-            edges: edges(self.edges.as_deref())?,
             mesh,
-            space: space.into_iter().filter(|(is_asked, _)| *is_asked).map(|(_, rule)| rule).collect(),
             ..Options::default()
         })
     }
