@@ -36,8 +36,8 @@ pub enum Part {
 ///
 /// Documents in a row may have one object per line, or record separators before them
 /// ([RFC 8142](https://www.rfc-editor.org/rfc/rfc8142)): both count as white space, which is optional. The reader is buffered
-/// inside. Faults may appear only after some features have been passed on; `each` can stop reading with an error of its own,
-/// which is then returned. Time O(bytes); memory O(largest feature).
+/// inside. Features before a fault have been passed on. An error of `each` stops reading and is returned. Time O(bytes); memory
+/// O(largest feature).
 ///
 /// ```
 /// use twinedge_formats::io::ReadError;
