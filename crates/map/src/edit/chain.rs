@@ -3,7 +3,7 @@
 use super::at::At;
 use super::error::EditError;
 use super::outcome::Edited;
-use crate::locate::located::Located;
+use crate::locate::Located;
 use crate::planar_map::PlanarMap;
 use rustc_hash::FxHashMap;
 use twinedge::dcel::{OperatorError, RecordKind, VertexKey};

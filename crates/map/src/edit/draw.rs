@@ -4,7 +4,7 @@ use super::error::EditError;
 use super::outcome::Edited;
 use super::trace::Towards;
 use crate::feature_tries::SetId;
-use crate::locate::located::Located;
+use crate::locate::Located;
 use crate::not_plane::NotPlane;
 use crate::planar_map::PlanarMap;
 use twinedge::dcel::{Corner, FaceKey, HalfEdge, HalfEdgeKey, Room, Split, VertexKey};

@@ -3,8 +3,8 @@
 use super::at::At;
 use super::error::EditError;
 use crate::index::is_small;
+use crate::locate::Located;
 use crate::locate::in_face::locate_in_face;
-use crate::locate::located::Located;
 use crate::not_plane::NotPlane;
 use crate::planar_map::PlanarMap;
 use twinedge::dcel::{FaceKey, HalfEdge, Vertex};

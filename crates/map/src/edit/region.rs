@@ -2,7 +2,7 @@
 
 use super::error::EditError;
 use crate::feature_tries::SetId;
-use crate::locate::located::Located;
+use crate::locate::Located;
 use crate::planar_map::PlanarMap;
 use rstar::{AABB, RTree, primitives::Rectangle};
 use rustc_hash::FxHashSet;

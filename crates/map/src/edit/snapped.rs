@@ -6,7 +6,7 @@ use super::outcome::Edited;
 use super::plan::{EdgeChange, SnapPlan};
 use super::trace::Towards;
 use crate::feature_tries::SetId;
-use crate::locate::located::Located;
+use crate::locate::Located;
 use crate::planar_map::PlanarMap;
 use rustc_hash::FxHashMap;
 use twinedge::dcel::{HalfEdgeKey, VertexKey};

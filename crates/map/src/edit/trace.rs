@@ -2,7 +2,7 @@
 
 use super::error::EditError;
 use crate::index::{is_hub, is_small};
-use crate::locate::located::Located;
+use crate::locate::Located;
 use crate::planar_map::PlanarMap;
 use crate::zone::QueryLine;
 use crate::zone::line::{EventRecord, Line, LineEvent, LinePlace};

@@ -1,6 +1,6 @@
 //! Locating a point in one face or on its boundary, by scanning the boundary.
 
-use super::located::Located;
+use super::Located;
 use crate::Embedding;
 use crate::planar_map::PlanarMap;
 use core::cmp::Ordering;

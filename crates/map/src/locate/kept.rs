@@ -3,7 +3,7 @@
 //! The index finds a nearby record. The first record met on the way from the point straight there, and a little further, bounds
 //! the point's face. This step is exact, no matter which record is nearby.
 
-use super::located::{LocateError, Located, check_range};
+use super::{LocateError, Located, check_range};
 use crate::Embedding;
 use crate::edit::trace::Towards;
 use crate::index::{BoxedRecord, TreeRecord};

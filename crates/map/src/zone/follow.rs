@@ -1,8 +1,8 @@
 //! Following a line from one record to the next.
 
+use super::ZoneElement;
 use super::line::{EventRecord, Line, LineEvent, LinePiece, LinePlace};
-use super::query::ZoneElement;
-use crate::locate::located::LocateError;
+use crate::locate::LocateError;
 use crate::planar_map::PlanarMap;
 use twinedge_geometry::Point;
 

@@ -2,10 +2,10 @@
 
 use super::follow::{ZoneStart, follow};
 use super::line::{Line, LinePiece, LinePlace};
-use super::query::{QueryLine, ZoneElement};
 use super::selection::each_event;
+use super::{QueryLine, ZoneElement};
 use crate::Embedding;
-use crate::locate::located::{LocateError, Located, check_range};
+use crate::locate::{LocateError, Located, check_range};
 use crate::planar_map::PlanarMap;
 
 impl PlanarMap {

@@ -1,7 +1,7 @@
 //! Selection of the records that a line may meet, in an R-tree.
 
+use super::QueryLine;
 use super::line::{Line, LineEvent};
-use super::query::QueryLine;
 use crate::index::{BoxedRecord, TreeRecord};
 use crate::planar_map::PlanarMap;
 use rstar::{AABB, RTreeObject, SelectionFunction};
