@@ -94,7 +94,7 @@ fn drawn_map() -> PlanarMap {
         None => common::world_50m_features(),
         Some(path) => {
             let mut file = std::fs::File::open(path).expect("MAP is a file");
-            twinedge_formats::layer::read_for_map(&mut file, &twinedge_formats::layer::ReadOptions::default())
+            twinedge_layers::read_for_map(&mut file, &twinedge_layers::ReadOptions::default())
                 .expect("MAP is GeoJSON")
                 .0
         }

@@ -6,7 +6,7 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use std::fmt::Write as _;
 use std::hint::black_box;
 use twinedge::validate::Collect;
-use twinedge_formats::mesh::{Format, HalfEdgeMesh, IndexedMesh, audit, read_bytes};
+use twinedge_meshes::{Format, HalfEdgeMesh, IndexedMesh, audit, read_bytes};
 
 /// Quadrilaterals around the torus, one way and the other: 1,000,000 triangles.
 const AROUND: u32 = 1000;

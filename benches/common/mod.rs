@@ -5,7 +5,7 @@
 use twinedge::dcel::{Dcel, Face, HalfEdge, Vertex};
 use twinedge::validate::{Link, Part, Parts, View};
 use twinedge::view_answers;
-use twinedge_formats::layer::{ReadOptions, read_for_map};
+use twinedge_layers::{ReadOptions, read_for_map};
 use twinedge_map::{Builder, Feature, PlanarMap};
 
 /// A grid of `side` × `side` vertices, each square cut in two triangles.

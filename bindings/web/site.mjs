@@ -40,7 +40,7 @@ async function script(entry, inline = {}) {
 
 const worker = { contents: await script("package/worker.js"), loader: "text" };
 // The colours are those of the report.
-const colours = (await text("../../report/src/html/style.css")).split("* { box-sizing")[0];
+const colours = (await text("../../crates/report/src/html/style.css")).split("* { box-sizing")[0];
 const style = colours + (await text("page/style.css"));
 const pages = {
   index: { html: "page/index.html", style, script: "page/app.js", module: "twinedge" },

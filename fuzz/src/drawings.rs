@@ -4,12 +4,12 @@ use arbitrary::Unstructured;
 use std::collections::BTreeSet;
 use twinedge::program::choose::Choose;
 use twinedge::validate::Rule;
-use twinedge_formats::io::ReadError as TextError;
-use twinedge_formats::io::geojson::{self, Documents, Part};
-use twinedge_formats::layer::{Format, ReadError, ReadOptions, format_of, read_for_map};
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::Snap;
 use twinedge_geometry::predicates::{Meeting, in_range, meeting, on_segment};
+use twinedge_layers::io::ReadError as TextError;
+use twinedge_layers::io::geojson::{self, Documents, Part};
+use twinedge_layers::{Format, ReadError, ReadOptions, format_of, read_for_map};
 use twinedge_map::{BuildError, Builder, Feature, Noding, PlanarMap, Shape};
 
 /// The largest number of segments that are compared pair by pair.

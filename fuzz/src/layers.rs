@@ -1,6 +1,6 @@
 //! Layers of features.
 
-use twinedge_formats::layer::{Format, Layer, ReadOptions, read_layer, write};
+use twinedge_layers::{Format, Layer, ReadOptions, read_layer, write};
 
 fn written(layer: &Layer, format: Format) -> Vec<u8> {
     let mut bytes = Vec::new();

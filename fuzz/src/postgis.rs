@@ -1,7 +1,7 @@
 //! The target that reads topologies of PostGIS.
 
 use std::io::BufReader;
-use twinedge_formats::postgis::{ReadError, audit, read};
+use twinedge_postgis::{ReadError, audit, read};
 
 /// The number of violations to keep.
 const LIMIT: usize = 5;

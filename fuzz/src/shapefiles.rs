@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::{process, thread};
-use twinedge_formats::layer::{Format, Layer, ReadOptions, read_path, write_path};
+use twinedge_layers::{Format, Layer, ReadOptions, read_path, write_path};
 
 /// Reads a Shapefile of up to four parts: the first byte selects them, and each is preceded by its length as two bytes,
 /// the low one first. The last part is the rest. The reader returns, and its features are written and read again

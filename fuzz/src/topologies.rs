@@ -1,6 +1,6 @@
 //! Files of TopoJSON.
 
-use twinedge_formats::layer::{Format, Place, ReadError, ReadOptions, read_layer, topojson as arcs, write};
+use twinedge_layers::{Format, Place, ReadError, ReadOptions, read_layer, topojson as arcs, write};
 
 /// Reads TopoJSON and audits its arcs. Both return, and errors lie inside the input. The features are written as
 /// well-known binary and read again unchanged.

@@ -77,7 +77,7 @@ enum End {
 type Test = (&'static str, &'static str, &'static str);
 
 /// The checks that are test binaries.
-const TESTS: [(&str, Test); 15] = [
+const TESTS: [(&str, Test); 16] = [
     ("validate", ("twinedge", "--test=validate", "validate")),
     ("dcel", ("twinedge", "--test=dcel", "dcel")),
     ("program", ("twinedge", "--test=program", "program")),
@@ -89,8 +89,9 @@ const TESTS: [(&str, Test); 15] = [
     ("units", ("twinedge", "--lib", "twinedge")),
     ("sphere", ("twinedge-sphere", "--test=sphere", "sphere")),
     ("harnesses", ("twinedge-proofs", "--lib", "twinedge_proofs")),
-    ("layer", ("twinedge-formats", "--test=layer", "layer")),
-    ("mesh", ("twinedge-formats", "--test=mesh", "mesh")),
+    ("layer", ("twinedge-layers", "--test=layer", "layer")),
+    ("osm", ("twinedge-osm", "--test=osm", "osm")),
+    ("mesh", ("twinedge-meshes", "--test=mesh", "mesh")),
     ("report", ("twinedge-report", "--lib", "twinedge_report")),
     ("commands", ("twinedge-cli", "--test=commands", "commands")),
 ];
@@ -101,16 +102,19 @@ const OF_COMMANDS: [&str; 9] =
     ["certificate", "audit", "between", "clean_tiles", "cleaning", "findings", "gate", "mesh", "verdict"];
 
 /// The packages that faults are planted in, by the root files of their libraries.
-const ROOTS: [&str; 9] = [
+const ROOTS: [&str; 12] = [
     "src/lib.rs",
     "crates/algorithm/src/lib.rs",
     "crates/certificate/src/lib.rs",
     "crates/coverage/src/lib.rs",
     "crates/geometry/src/lib.rs",
     "crates/map/src/lib.rs",
-    "formats/src/lib.rs",
-    "report/src/lib.rs",
-    "sphere/src/lib.rs",
+    "crates/layers/src/lib.rs",
+    "crates/meshes/src/lib.rs",
+    "crates/postgis/src/lib.rs",
+    "crates/report/src/lib.rs",
+    "extras/osm/src/lib.rs",
+    "extras/sphere/src/lib.rs",
 ];
 
 /// Its tests write into folders of their own, but all runs write into the same ones: one at a time.
@@ -360,7 +364,8 @@ impl Check {
     /// Returns true if the check is about the part of the library that has this fault.
     fn is_near(&self, fault: &Fault) -> bool {
         let near: &[&str] = match fault.file.as_str() {
-            file if file.starts_with("sphere/") => &["sphere"],
+            file if file.starts_with("extras/sphere/") => &["sphere"],
+            file if file.starts_with("extras/osm/") => &["osm"],
             file if file.starts_with("src/validate/near") => &["validate", "dcel", "audited"],
             file if file.starts_with("src/validate/") => {
                 &["validate", "map", "corrupt", "tables", "tables-lazy", "sample", "commands"]
@@ -369,9 +374,9 @@ impl Check {
                 &["certificate", "map", "certificates", "certificates-lazy", "surfaces-lazy", "commands"]
             }
             file if file.starts_with("crates/coverage/src/clean/") => &["layer", "commands"],
-            file if file.starts_with("formats/src/mesh/") => &["mesh", "commands"],
-            file if file.starts_with("formats/") => &["layer", "commands"],
-            file if file.starts_with("report/") => &["report", "commands"],
+            file if file.starts_with("crates/meshes/src/") => &["mesh", "commands"],
+            file if file.starts_with("crates/layers/") => &["layer", "commands"],
+            file if file.starts_with("crates/report/") => &["report", "commands"],
             file if file.starts_with("crates/coverage/src/tile/") => &["tile"],
             file if file.starts_with("crates/coverage/src/") => &["coverage"],
             file if file.starts_with("crates/algorithm/src/") => &["algorithm"],

@@ -29,7 +29,7 @@ from shapely.geometry import MultiPolygon, Polygon, mapping, shape
 from shapely.ops import polygonize
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-MAPS = ["cli/data/world-110m.geojson", "tests/data/world-110m-crossing.geojson", "tests/data/world-50m.geojson"]
+MAPS = ["crates/cli/data/world-110m.geojson", "tests/data/world-110m-crossing.geojson", "tests/data/world-50m.geojson"]
 ALL = "1000000"
 
 

@@ -19,7 +19,7 @@ static IMPORTS: LazyLock<Imports> = LazyLock::new(|| {
         "bindings/c/Cargo.toml",
         "fuzz/Cargo.toml",
         "bindings/python/Cargo.toml",
-        "tests/peers/Cargo.toml",
+        "extras/peers/Cargo.toml",
         "bindings/web/Cargo.toml",
     ] {
         all.extend(crates(&root.join(manifest)).expect("Cargo lists the crates"));

@@ -8,7 +8,7 @@ use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use std::time::Instant;
 use twinedge_coverage::Limits;
-use twinedge_formats::mesh::{HalfEdgeMesh, IndexedMesh};
+use twinedge_meshes::{HalfEdgeMesh, IndexedMesh};
 use twinedge_report::{
     Accepted, Audited, Compared, CoverageOptions, Edges, InputKind, MapOptions, Options, audit as judge, audit_mesh,
 };

@@ -6,8 +6,8 @@ use crate::work::within;
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use twinedge_coverage::clean::{Options, Winner};
-use twinedge_formats::layer::clean::{CleanOptions, GapsTo};
-use twinedge_formats::layer::{Format, Layer, write};
+use twinedge_layers::clean::{CleanOptions, GapsTo};
+use twinedge_layers::{Format, Layer, write};
 use twinedge_report::clean::{Cleaning, Repair};
 
 /// The features with a changed geometry, by number, with the new geometry as hexadecimal digits of well-known binary.
@@ -58,7 +58,7 @@ pub(crate) fn clean(
 }
 
 /// A geometry in hexadecimal digits.
-fn digits(features: Vec<twinedge_formats::layer::Feature>) -> Result<String, Failure> {
+fn digits(features: Vec<twinedge_layers::Feature>) -> Result<String, Failure> {
     let mut bytes = Vec::new();
     write(&Layer { features, ..Layer::default() }, &mut bytes, Format::Wkb).map_err(Failure::value)?;
     let text = String::from_utf8(bytes).map_err(Failure::value)?;

@@ -5,9 +5,9 @@ use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use std::ops::Range;
-use twinedge_formats::io::ReadSummary;
-use twinedge_formats::layer::{Feature as LayerFeature, geometry_of_wkb, to_map};
 use twinedge_geometry::Point;
+use twinedge_layers::io::ReadSummary;
+use twinedge_layers::{Feature as LayerFeature, geometry_of_wkb, to_map};
 use twinedge_map::{Feature, Shape};
 
 /// A column of geometries.

@@ -28,7 +28,7 @@ fn _twinedge(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("DEFAULT_LIST", twinedge::validate::Collect::DEFAULT_CAP)?;
     module.add("PRESETS", twinedge_columns::Preset::ALL.iter().map(|p| p.name()).collect::<Vec<_>>())?;
     module.add("KINDS", twinedge::validate::Violation::KINDS.to_vec())?;
-    let of_meshes = twinedge_formats::mesh::Kind::ALL.iter().map(|kind| kind.name());
+    let of_meshes = twinedge_meshes::Kind::ALL.iter().map(|kind| kind.name());
     let of_coverages = twinedge_coverage::CoverageRule::ALL.iter().map(|rule| rule.name());
     module.add("FINDING_KINDS", of_meshes.chain(of_coverages).collect::<Vec<_>>())?;
     module.add_function(wrap_pyfunction!(structure::validate, module)?)?;

@@ -13,10 +13,10 @@ use twinedge_algorithm::claims::faces_of;
 use twinedge_algorithm::contour;
 use twinedge_algorithm::contour::Contour;
 use twinedge_algorithm::overlay::{Operand, overlay};
-use twinedge_formats::svg;
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::Snap;
 use twinedge_map::{FeatureId, Located, PlanarMap, validate_embedding};
+use twinedge_report::svg;
 use twinedge_report::{Imported, Keep, MapOptions, Units, borders};
 
 /// With details, a picture of more half-edges than this is not legible.

@@ -13,10 +13,10 @@ use pyo3::types::PyBytes;
 use std::collections::{BTreeMap, BTreeSet};
 use twinedge::dcel::{Face, FaceKey};
 use twinedge_algorithm::contour::of_faces;
-use twinedge_formats::layer::{Geometry, wkb_of_geometry};
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::Snap;
 use twinedge_geometry::predicates::MIN_COORDINATE;
+use twinedge_layers::{Geometry, wkb_of_geometry};
 use twinedge_map::{Builder, FeatureId, Noding, PlanarMap, Shape};
 
 /// The distance within which features are given to a tile, as a part of the largest coordinate: 2^-44. Crossings are

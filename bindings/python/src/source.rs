@@ -7,9 +7,9 @@ use std::fmt::Display;
 use std::fs::File;
 use std::io::{BufReader, Cursor};
 use std::path::{Path, PathBuf};
-use twinedge_formats::io::ForeignFormat;
-use twinedge_formats::layer::{Format, Layer, ReadError, read_layer};
 use twinedge_geometry::noding::Snap;
+use twinedge_layers::io::ForeignFormat;
+use twinedge_layers::{Format, Layer, ReadError, read_layer};
 use twinedge_report::{Error, Input, Judged};
 
 /// The reason for a missing answer.

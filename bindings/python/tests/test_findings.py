@@ -107,7 +107,7 @@ class _Counted(nx.PlanarEmbedding):
 def _neighbours_of_countries():
     """The countries of Natural Earth at 1 : 110 million, joined where they share a border, in the embedding that networkx finds."""
     owners = defaultdict(set)
-    features = json.loads((ROOT / "cli" / "data" / "world-110m.geojson").read_text(encoding="utf-8"))["features"]
+    features = json.loads((ROOT / "crates" / "cli" / "data" / "world-110m.geojson").read_text(encoding="utf-8"))["features"]
     for country, feature in enumerate(features):
         shape = feature["geometry"]
         for polygon in [shape["coordinates"]] if shape["type"] == "Polygon" else shape["coordinates"]:

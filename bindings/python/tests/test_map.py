@@ -11,7 +11,7 @@ import shapely
 import twinedge
 
 PARCELS = Path(__file__).parents[3] / "docs" / "parcels.geojson"
-WORLD = Path(__file__).parents[3] / "cli" / "data" / "world-110m.geojson"
+WORLD = Path(__file__).parents[3] / "crates" / "cli" / "data" / "world-110m.geojson"
 #: Three squares in a row, the middle one a step down, and a point.
 ROW = geopandas.GeoDataFrame(
     {"name": ["a", "b", "c", "d"]},

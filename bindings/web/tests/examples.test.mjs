@@ -40,7 +40,7 @@ test("map.test.mjs fails for a map with an overlap, and passes for one without",
   assert.equal(status, 1);
   assert.match(stdout, /not ok 1 - the map has no overlaps|✖ the map has no overlaps/);
   assert.match(stdout, /West,East/);
-  const sound = tests(new URL("../../../formats/tests/layer/data/south-america.topojson", import.meta.url).pathname);
+  const sound = tests(new URL("../../../crates/layers/tests/layer/data/south-america.topojson", import.meta.url).pathname);
   assert.equal(sound.status, 0, sound.stdout);
 });
 

@@ -118,7 +118,7 @@ describe("audit", () => {
   });
 
   it("reads TopoJSON, and its arcs as they are", async () => {
-    const topology = JSON.parse(await data("formats/tests/layer/data/south-america.topojson"));
+    const topology = JSON.parse(await data("crates/layers/tests/layer/data/south-america.topojson"));
     const report = await twinedge.audit(topology);
     assert.deepEqual([report.valid, report.coverage.overlaps], [true, 0]);
     assert.equal((await twinedge.audit(topology, { arcs: true })).valid, true);
@@ -306,7 +306,7 @@ describe("cancelling", () => {
   it("rejects with the reason, and what else was asked is done all the same", async () => {
     const controller = new AbortController();
     const reason = new Error("enough");
-    const cancelled = twinedge.audit(await data("cli/data/world-110m.geojson"), { signal: controller.signal, progress: () => controller.abort(reason) });
+    const cancelled = twinedge.audit(await data("crates/cli/data/world-110m.geojson"), { signal: controller.signal, progress: () => controller.abort(reason) });
     const other = twinedge.audit(overlapping);
     await assert.rejects(cancelled, reason);
     assert.equal((await other).coverage.overlaps, 1);

@@ -194,7 +194,7 @@ try {
   const hostile = { ...planted, features: [square("<img src=x onerror=alert(1)>", 0, 4), square("B", 3.5, 4)] };
   await upload(await put("hostile.geojson", JSON.stringify(hostile)));
   await waitFor("status", /hostile/);
-  const topology = await readFile(new URL("../../../formats/tests/layer/data/south-america.topojson", import.meta.url));
+  const topology = await readFile(new URL("../../../crates/layers/tests/layer/data/south-america.topojson", import.meta.url));
   await upload(await put("south-america.topojson", topology));
   await waitFor("status", /south-america/);
 

@@ -18,7 +18,7 @@ def _program() -> str | None:
 def main() -> int:
     program = _program()
     if program is None:
-        print("twinedge: the program is not installed: `cargo install --path cli` does it", file=sys.stderr)
+        print("twinedge: the program is not installed: `cargo install --path crates/cli` does it", file=sys.stderr)
         return 2
     arguments = [program, *sys.argv[1:]]
     if os.name == "posix":

@@ -7,7 +7,7 @@ use crate::source::{Buffer, NamedFile, layer, stem};
 use serde::Deserialize;
 use serde_json::{Value, json};
 use twinedge_coverage::clean::{Options, Winner};
-use twinedge_formats::layer::clean::CleanOptions;
+use twinedge_layers::clean::CleanOptions;
 use twinedge_report::clean::{Cleaning, Names, Repair};
 use twinedge_report::words::json as json_bytes;
 use twinedge_web_bridge::Buffers;

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use std::borrow::Cow;
 use std::path::Path;
-use twinedge_formats::layer::{Format, Layer, Loss, losses, refuse_losses, write_files, zip};
+use twinedge_layers::{Format, Layer, Loss, losses, refuse_losses, write_files, zip};
 use twinedge_web_bridge::Buffers;
 
 #[derive(Deserialize)]

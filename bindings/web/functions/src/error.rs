@@ -3,8 +3,7 @@
 use serde_json::{Map, Value, json};
 use std::fmt::Display;
 use std::path::PathBuf;
-use twinedge_formats::io::ForeignFormat;
-use twinedge_formats::{layer, mesh, postgis};
+use twinedge_layers::io::ForeignFormat;
 use twinedge_report as report;
 
 /// An error with its code and its place in the input.
@@ -49,57 +48,61 @@ impl CallError {
     }
 }
 
-fn of_layer_place(place: layer::Place) -> Vec<(&'static str, Value)> {
+fn of_layer_place(place: twinedge_layers::Place) -> Vec<(&'static str, Value)> {
     match place {
-        layer::Place::Feature(number) => vec![("feature", number.into())],
-        layer::Place::Line(number) => vec![("line", number.into())],
-        layer::Place::Text(place) => vec![("line", place.line.into()), ("column", place.column.into())],
-        layer::Place::Arc(number) => vec![("arc", number.into())],
+        twinedge_layers::Place::Feature(number) => vec![("feature", number.into())],
+        twinedge_layers::Place::Line(number) => vec![("line", number.into())],
+        twinedge_layers::Place::Text(place) => vec![("line", place.line.into()), ("column", place.column.into())],
+        twinedge_layers::Place::Arc(number) => vec![("arc", number.into())],
         _ => vec![("header", true.into())],
     }
 }
 
-impl From<layer::ReadError> for CallError {
-    fn from(error: layer::ReadError) -> Self {
+impl From<twinedge_layers::ReadError> for CallError {
+    fn from(error: twinedge_layers::ReadError) -> Self {
         let place = match &error {
-            layer::ReadError::Content { place, .. } => of_layer_place(*place),
-            layer::ReadError::Text(error) => {
+            twinedge_layers::ReadError::Content { place, .. } => of_layer_place(*place),
+            twinedge_layers::ReadError::Text(error) => {
                 let at = error.place;
                 let feature = error.feature.map(|feature| ("feature", feature.into()));
                 [("line", at.line.into()), ("column", at.column.into())].into_iter().chain(feature).collect()
             }
-            layer::ReadError::Layers { layers, .. } => vec![("layers", layers.clone().into())],
+            twinedge_layers::ReadError::Layers { layers, .. } => vec![("layers", layers.clone().into())],
             _ => Vec::new(),
         };
         let code = match &error {
             // Only the program reads it.
-            layer::ReadError::FeatureOff(_)
-            | layer::ReadError::NeedsFile(_)
-            | layer::ReadError::Foreign(ForeignFormat::Sqlite) => "needs-program",
-            layer::ReadError::Foreign(_) | layer::ReadError::Unrecognised => "format",
-            layer::ReadError::Layers { .. } => "layer",
-            layer::ReadError::Empty => "empty",
+            twinedge_layers::ReadError::FeatureOff(_)
+            | twinedge_layers::ReadError::NeedsFile(_)
+            | twinedge_layers::ReadError::Foreign(ForeignFormat::Sqlite) => "needs-program",
+            twinedge_layers::ReadError::Foreign(_) | twinedge_layers::ReadError::Unrecognised => "format",
+            twinedge_layers::ReadError::Layers { .. } => "layer",
+            twinedge_layers::ReadError::Empty => "empty",
             _ => "content",
         };
         Self::new(code, &error).at(place)
     }
 }
 
-impl From<mesh::ReadError> for CallError {
-    fn from(error: mesh::ReadError) -> Self {
+impl From<twinedge_meshes::ReadError> for CallError {
+    fn from(error: twinedge_meshes::ReadError) -> Self {
         let place = match &error {
-            mesh::ReadError::Content { position: mesh::Position::Line(line), .. } => Some(("line", (*line).into())),
-            mesh::ReadError::Content { position: mesh::Position::Byte(byte), .. } => Some(("byte", (*byte).into())),
+            twinedge_meshes::ReadError::Content { position: twinedge_meshes::Position::Line(line), .. } => {
+                Some(("line", (*line).into()))
+            }
+            twinedge_meshes::ReadError::Content { position: twinedge_meshes::Position::Byte(byte), .. } => {
+                Some(("byte", (*byte).into()))
+            }
             _ => None,
         };
         Self::new("content", &error).at(place)
     }
 }
 
-impl From<postgis::ReadError> for CallError {
-    fn from(error: postgis::ReadError) -> Self {
+impl From<twinedge_postgis::ReadError> for CallError {
+    fn from(error: twinedge_postgis::ReadError) -> Self {
         let place = match &error {
-            postgis::ReadError::Content { byte, place, .. } => {
+            twinedge_postgis::ReadError::Content { byte, place, .. } => {
                 vec![("byte", (*byte).into()), ("table", place.table.to_string().into()), ("row", place.row.into())]
             }
             _ => Vec::new(),
@@ -137,8 +140,8 @@ macro_rules! contents {
 }
 
 contents!(
-    layer::WriteError,
-    layer::ColumnTaken,
+    twinedge_layers::WriteError,
+    twinedge_layers::ColumnTaken,
     report::voronoi::OtherGeometry,
     serde_json::Error,
     std::fmt::Error,

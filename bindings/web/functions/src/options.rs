@@ -4,9 +4,9 @@ use crate::error::CallError;
 use serde::Deserialize;
 use serde_json::Value;
 use twinedge_coverage::Limits;
-use twinedge_formats::mesh::HalfEdgeMesh;
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::Snap;
+use twinedge_meshes::HalfEdgeMesh;
 use twinedge_report::{Accepted, CoverageOptions, MapOptions, Options};
 
 /// A grid: `"auto"`, or the greatest width of its cells.

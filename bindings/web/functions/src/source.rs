@@ -5,8 +5,8 @@ use serde::{Deserialize, Serialize};
 use std::io::Cursor;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use twinedge_formats::layer::{Files, Format, Header, Layer, read_layer, unpack_bytes};
-use twinedge_formats::mesh::Format as MeshFormat;
+use twinedge_layers::{Files, Format, Header, Layer, read_layer, unpack_bytes};
+use twinedge_meshes::Format as MeshFormat;
 use twinedge_report::Input;
 use twinedge_web_bridge::{Buffers, Id};
 

@@ -10,9 +10,9 @@ use std::sync::{Arc, Mutex};
 use twinedge::dcel::{Face, OperatorError, Policy, StaleKey};
 use twinedge_algorithm::area::{face_area, feature_area, ring_area};
 use twinedge_algorithm::overlay::{Operand, Operation, Overlay, OverlayError, overlay};
-use twinedge_formats::layer::{ReadOptions, read_for_map};
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::Snap;
+use twinedge_layers::{ReadOptions, read_for_map};
 use twinedge_map::{BuildError, Builder, Feature, FeatureId, Features, Noding, PlanarMap, Shape};
 
 type Whole = (i8, i8);
@@ -174,7 +174,7 @@ fn islands_in_lakes_lie_where_they_should() {
 
 #[test]
 fn a_map_over_itself_is_itself() {
-    let mut file: &[u8] = include_bytes!("../../../../cli/data/world-110m.geojson");
+    let mut file: &[u8] = include_bytes!("../../../cli/data/world-110m.geojson");
     let (features, _) = read_for_map(&mut file, &ReadOptions::default()).expect("it is a map");
     let map = built(&features);
     let both = overlay(&map, &map, Snap::Auto).expect("they fit");

@@ -1,9 +1,9 @@
 //! Random plane maps with holes that touch, dangling edges and isolated vertices; and maps of the world.
 
 use quickcheck::{Arbitrary, Gen};
-use twinedge_formats::layer::{ReadOptions, read_for_map};
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::Snap;
+use twinedge_layers::{ReadOptions, read_for_map};
 use twinedge_map::{Builder, Noding, PlanarMap, Shape};
 
 /// Points, segments and rings with coordinates from 0 to 12.
@@ -58,7 +58,7 @@ fn read(mut bytes: &[u8], noding: Noding) -> PlanarMap {
 /// The world, coarse; fine; and coarse with crossing edges, cut.
 pub(crate) fn world_maps() -> impl Iterator<Item = PlanarMap> {
     let files: [(&[u8], Noding); 3] = [
-        (include_bytes!("../../../../cli/data/world-110m.geojson"), Noding::None),
+        (include_bytes!("../../../cli/data/world-110m.geojson"), Noding::None),
         (include_bytes!("../../../../tests/data/world-50m.geojson"), Noding::None),
         (include_bytes!("../../../../tests/data/world-110m-crossing.geojson"), Noding::Snap(Snap::Auto)),
     ];

@@ -344,7 +344,7 @@ fn points_that_are_too_close_share_a_cell_on_request() {
 #[test]
 fn sites_of_real_data() {
     let file: serde_json::Value =
-        serde_json::from_slice(include_bytes!("../../../../cli/data/world-110m.geojson")).unwrap();
+        serde_json::from_slice(include_bytes!("../../../cli/data/world-110m.geojson")).unwrap();
     let mut sites = Vec::new();
     for feature in file["features"].as_array().unwrap() {
         let mut stack = vec![&feature["geometry"]["coordinates"]];

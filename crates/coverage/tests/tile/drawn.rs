@@ -4,7 +4,7 @@ use crate::maps::{Random, feature, line, point};
 use crate::whole::{compare, grid};
 use twinedge_coverage::Limits;
 use twinedge_coverage::tile::Grid;
-use twinedge_formats::layer::{ReadOptions, read_for_map};
+use twinedge_layers::{ReadOptions, read_for_map};
 use twinedge_map::{Feature, Shape};
 
 fn cut(random: &mut Random) -> Vec<f64> {
@@ -63,7 +63,7 @@ fn around_the_world(features: &[Feature], rounds: usize, random: &mut Random) {
     }
 }
 
-const SMALL: &[u8] = include_bytes!("../../../../cli/data/world-110m.geojson");
+const SMALL: &[u8] = include_bytes!("../../../cli/data/world-110m.geojson");
 const CROSSING: &[u8] = include_bytes!("../../../../tests/data/world-110m-crossing.geojson");
 const LARGE: &[u8] = include_bytes!("../../../../tests/data/world-50m.geojson");
 

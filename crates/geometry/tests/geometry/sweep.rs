@@ -260,7 +260,7 @@ fn zeros_of_either_sign_are_the_same_place() {
 
 /// The distinct points of a map, and its distinct ring segments.
 fn world() -> (Vec<Point>, Vec<[u32; 2]>) {
-    let text = include_str!("../../../../cli/data/world-110m.geojson");
+    let text = include_str!("../../../cli/data/world-110m.geojson");
     let (mut points, mut numbers, mut seen, mut segments) = (Vec::new(), HashMap::new(), HashSet::new(), Vec::new());
     for coordinates in text.split("\"coordinates\":").skip(1) {
         let coordinates = &coordinates[..coordinates.find('}').unwrap()];

@@ -39,7 +39,7 @@ fn two_crossings_of_the_small_world_are_cut() {
 
 #[test]
 fn the_small_world_is_plane_as_it_stands() {
-    let noded = check(&map(include_str!("../../../../../cli/data/world-110m.geojson")), &[], Snap::Auto);
+    let noded = check(&map(include_str!("../../../../cli/data/world-110m.geojson")), &[], Snap::Auto);
     assert_eq!(counts(&noded), [7_493, 7_655, 125]);
     assert_eq!((noded.summary.crossings, noded.summary.split, noded.summary.merged), (0, 0, 0));
 }

@@ -9,7 +9,7 @@ use twinedge_map::{Builder, Feature, PlanarMap, Shape};
 
 /// The world, rounded to a grid of the returned size.
 fn world() -> (PlanarMap, Snap) {
-    let mut features = features(include_bytes!("../../../../../cli/data/world-110m.geojson"));
+    let mut features = features(include_bytes!("../../../../cli/data/world-110m.geojson"));
     let mut segments = Vec::new();
     let rings = |feature: &Feature| -> Vec<Vec<Point>> {
         let polygon = |shape: &Shape| match shape {

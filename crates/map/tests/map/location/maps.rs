@@ -1,9 +1,9 @@
 //! Maps for queries.
 
 use quickcheck::{Arbitrary, Gen, QuickCheck, Testable};
-use twinedge_formats::layer::{ReadOptions, read_for_map};
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::{Snap, node};
+use twinedge_layers::{ReadOptions, read_for_map};
 use twinedge_map::{Builder, Feature, PlanarMap};
 
 pub(crate) fn quickcheck(tests: u64, property: impl Testable) {
@@ -95,7 +95,7 @@ pub(crate) fn world(file: &[u8]) -> PlanarMap {
 }
 
 pub(crate) fn world_110m() -> PlanarMap {
-    world(include_bytes!("../../../../../cli/data/world-110m.geojson"))
+    world(include_bytes!("../../../../cli/data/world-110m.geojson"))
 }
 
 /// Deterministic pseudo-random numbers.

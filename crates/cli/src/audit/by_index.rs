@@ -1,0 +1,130 @@
+//! The features of a file with boxes, read from the file tile by tile.
+
+use crate::on_disk::NewShelf;
+use std::borrow::Cow;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
+use twinedge_coverage::insert_touches;
+use twinedge_geometry::Point;
+use twinedge_layers::io::ReadSummary;
+use twinedge_layers::{Feature as LayerFeature, Geometry, Indexed, ReadError, ReadOptions, to_map};
+use twinedge_map::Feature;
+use twinedge_report::Shelf;
+
+/// The maximal number of passes over the features; beyond it, copying them is cheaper.
+const TIMES: u64 = 8;
+
+const EVERYTHING: [Point; 2] =
+    [Point { x: f64::NEG_INFINITY, y: f64::NEG_INFINITY }, Point { x: f64::INFINITY, y: f64::INFINITY }];
+
+/// The features of a file with boxes. They are copied to another shelf if the features of each tile are scattered over
+/// the file.
+pub(super) struct ByIndex {
+    source: Source,
+    /// The window of each tile.
+    windows: Vec<[Point; 2]>,
+    other: NewShelf,
+    copied: Option<Box<dyn Shelf>>,
+}
+
+struct Source {
+    path: PathBuf,
+    options: ReadOptions,
+    /// The readers that no thread is using.
+    free: Mutex<Vec<Indexed>>,
+}
+
+/// Returns the best shelf for a file: the file itself if it has boxes, otherwise another shelf.
+pub(super) fn shelf_of(path: Option<&Path>, options: ReadOptions, other: NewShelf) -> io::Result<Box<dyn Shelf>> {
+    // A pipe cannot be opened again.
+    let Some(path) = path.filter(|path| path.is_file()) else { return other() };
+    match Indexed::open(path, &options) {
+        // Feature numbers have 32 bits.
+        Ok(Some(file)) if u32::try_from(file.amount().of_features).is_ok() => {
+            let source = Source { path: path.to_owned(), options, free: Mutex::new(vec![file]) };
+            Ok(Box::new(ByIndex { source, windows: Vec::new(), other, copied: None }))
+        }
+        // A damaged file is refused once all of it is read.
+        _ => other(),
+    }
+}
+
+impl Source {
+    fn read(&self, window: [Point; 2], each: &mut dyn FnMut(u32, Feature)) -> io::Result<()> {
+        let free = || self.free.lock().unwrap_or_else(PoisonError::into_inner);
+        let reader = free().pop();
+        let mut file = match reader {
+            Some(file) => file,
+            None => Indexed::open(&self.path, &self.options).map_err(refused)?.ok_or_else(changed)?,
+        };
+        let mut take = |number: u64, geometry: Option<Geometry>| {
+            let feature = LayerFeature { geometry, ..LayerFeature::default() };
+            let mut feature = to_map(&feature, &mut ReadSummary::default());
+            insert_touches(&mut feature.shapes);
+            each(number as u32, feature);
+        };
+        file.read(window, &mut |_| true, &mut take).map_err(refused)?;
+        free().push(file);
+        Ok(())
+    }
+
+    /// Returns true if reading the features of all windows is cheaper than copying everything.
+    fn is_in_order(&self, windows: &[[Point; 2]]) -> bool {
+        let free = self.free.lock().unwrap_or_else(PoisonError::into_inner);
+        free.first().is_some_and(|file| {
+            let passed = windows.iter().map(|window| file.passed(*window)).fold(0, u64::saturating_add);
+            passed <= file.amount().of_features.saturating_mul(TIMES)
+        })
+    }
+}
+
+fn refused(error: ReadError) -> io::Error {
+    match error {
+        ReadError::Io(error) => error,
+        error => io::Error::other(error),
+    }
+}
+
+fn changed() -> io::Error {
+    io::Error::other("the file changed while it was read")
+}
+
+impl Shelf for ByIndex {
+    fn put(&mut self, _: Feature) -> io::Result<()> {
+        Ok(())
+    }
+
+    fn each(&mut self, show: &mut dyn FnMut(&Feature)) -> io::Result<()> {
+        self.source.read(EVERYTHING, &mut |_, feature| show(&feature))
+    }
+
+    fn file(&mut self, windows: &[[Point; 2]], tiles_of: &dyn Fn(&Feature) -> Vec<usize>) -> io::Result<()> {
+        if self.source.is_in_order(windows) {
+            self.windows = windows.to_vec();
+            return Ok(());
+        }
+        let (mut copied, mut put) = ((self.other)()?, Ok(()));
+        self.source.read(EVERYTHING, &mut |_, feature| {
+            if put.is_ok() {
+                put = copied.put(feature);
+            }
+        })?;
+        put?;
+        copied.file(windows, tiles_of)?;
+        self.copied = Some(copied);
+        Ok(())
+    }
+
+    fn of_tile(&self, tile: usize) -> io::Result<Vec<(u32, Cow<'_, Feature>)>> {
+        if let Some(copied) = &self.copied {
+            return copied.of_tile(tile);
+        }
+        let mut features = Vec::new();
+        let window = self.windows.get(tile).copied();
+        if let Some(window) = window {
+            self.source.read(window, &mut |number, feature| features.push((number, Cow::Owned(feature))))?;
+        }
+        Ok(features)
+    }
+}

@@ -1,0 +1,140 @@
+//! `twinedge audit`: builds a map and validates it, or validates a mesh, a file of tables or a topology of PostGIS.
+
+mod arguments;
+mod by_index;
+mod destination;
+mod mesh_options;
+mod options;
+mod timeout;
+
+pub(crate) use arguments::Audit;
+
+use crate::input::open;
+use crate::on_disk::shelf_for;
+use crate::output::{Failure, Verdict, named, plain};
+use crate::output_file::write_file;
+use crate::progress::busy;
+use by_index::shelf_of;
+use destination::{ReportFormat, write};
+use std::fs::{File, Metadata};
+use std::io::BufReader;
+use std::path::Path;
+use std::time::Instant;
+use timeout::Claim;
+use twinedge::validate::Collect;
+use twinedge_osm::{Boundaries, TagFilter};
+use twinedge_report::{
+    Accepted, Audited, Counted, Division, Input, InputKind, Judged, OfReader, Options, audit, audit_against,
+    audit_in_tiles, audit_layer,
+};
+
+impl Audit {
+    pub(crate) fn run(&self) -> Result<Verdict, Failure> {
+        timeout::within(self.timeout, |claim| self.judge(claim), || self.unfinished())
+    }
+
+    /// Audits the input, and writes the report unless the time is up.
+    fn judge(&self, claim: &Claim) -> Result<Verdict, Failure> {
+        let start = Instant::now();
+        let before = self.map.path().and_then(changed);
+        let mut input = self.map.open()?;
+        let name = input.name.clone();
+        let kind = match &self.boundaries {
+            Some(_) => InputKind::Map,
+            None => InputKind::of(self.postgis, self.arcs, &mut input).map_err(named(&name))?,
+        };
+        let to = self.destination.destination(self.map.path())?;
+        self.refuse_options(kind, &to, &input)?;
+        let mut counter = None;
+        if self.map.is_stdin() && input.path.is_none() {
+            let (reader, counted) = Counted::new(input.reader);
+            input.reader = Box::new(reader);
+            counter = Some(counted);
+        }
+        let accepted = self.accept.as_deref().map(accepted).transpose()?;
+        let options = self.options(accepted.clone());
+        let mut audited = match &self.boundaries {
+            Some(tags) => self.of_boundaries(tags, &name, &options)?,
+            None => self.of_input(input, kind, &options)?,
+        };
+        let judged: Option<Judged> = match counter {
+            Some(counter) => Some(counter.judged()),
+            None => self.map.judged()?,
+        };
+        if let Some(judged) = judged {
+            audited.judged(judged);
+        }
+        if let Some(path) = self.against.as_deref().filter(|path| path.is_file()) {
+            audited.judged_by(Judged::of(BufReader::new(File::open(path)?))?);
+        }
+        if self.map.path().and_then(changed) != before {
+            audited.doubt("the file changed while it was judged");
+        }
+        audited.took(start.elapsed().as_secs_f64() * 1000.0);
+        claim.take();
+        if let Some(path) = &self.accept_all {
+            let today = chrono::Utc::now().date_naive().to_string();
+            let all = audited.accept_all(accepted.as_ref(), &self.reason, &today).map_err(named(&name))?;
+            write_file(path, self.map.path(), &all)?;
+        }
+        write(&audited, &to)?;
+        Ok(if audited.is_valid() { Verdict::Sound } else { Verdict::Wrong })
+    }
+
+    fn of_input(&self, input: Input, kind: InputKind, options: &Options) -> Result<Audited, Failure> {
+        let name = input.name.clone();
+        let other = self.against.as_deref().map(|path| open(Some(path), self.against_layer.as_deref())).transpose()?;
+        let is_compared = other.is_some() || self.parent_column.is_some();
+        let division = self.memory.map(Division::Within).or(self.tiles.map(Division::Across));
+        let audited = match division {
+            Some(division) => {
+                // A file that was unpacked is deleted after reading.
+                let path = input.path.as_deref().filter(|_| input.kept.is_none());
+                let mut shelf = shelf_of(path, input.options(), shelf_for(division)).map_err(named("--memory"))?;
+                busy(|stage| audit_in_tiles(input, options, division, &mut *shelf, stage))
+            }
+            None if is_compared => busy(|stage| audit_against(input, other, options, stage)),
+            None => busy(|stage| audit(input, kind, options, stage)),
+        };
+        audited.map_err(named(&name))
+    }
+
+    /// Reads boundaries of `OpenStreetMap`, and judges their relations and their map.
+    fn of_boundaries(&self, tags: &TagFilter, name: &str, options: &Options) -> Result<Audited, Failure> {
+        let path = self.map.path().ok_or_else(|| Failure("--boundaries: a file .osm.pbf is needed".to_owned()))?;
+        let limit = options.list.unwrap_or(Collect::DEFAULT_CAP);
+        busy(|stage| {
+            stage("reading the boundaries");
+            let Boundaries { layer, rules, findings, .. } =
+                twinedge_osm::read(path, tags, limit).map_err(named(name))?;
+            let of_reader = OfReader { rules, findings, option: ("boundaries", tags.to_string()) };
+            audit_layer(name, layer, of_reader, options, stage).map_err(named(name))
+        })
+    }
+
+    /// Reports that the time is up, in the formats that need only a verdict.
+    fn unfinished(&self) -> Result<Verdict, Failure> {
+        let name = self.map.path().map_or_else(|| "standard input".to_owned(), |path| path.display().to_string());
+        let seconds = self.timeout.unwrap_or_default();
+        let why = format!("time was up after {seconds} s");
+        let to = self.destination.destination(self.map.path())?;
+        if matches!(to.format, ReportFormat::Geojson | ReportFormat::Html) {
+            eprintln!("twinedge: {}: unknown: {why}; nothing is written", plain(&name));
+        } else {
+            write(&Audited::unfinished(&name, InputKind::Map, &self.options(None), &why), &to)?;
+        }
+        Ok(Verdict::Wrong)
+    }
+}
+
+fn accepted(path: &Path) -> Result<Accepted, Failure> {
+    let name = path.display().to_string();
+    let text = std::fs::read_to_string(path).map_err(named(&name))?;
+    Accepted::read(&text).map_err(named(&name))
+}
+
+/// Returns the length and the modification time of a file, which show whether it has changed.
+fn changed(path: &Path) -> Option<(u64, Option<std::time::SystemTime>)> {
+    let of = |metadata: Metadata| (metadata.len(), metadata.modified().ok());
+    std::fs::metadata(path).ok().filter(Metadata::is_file).map(of)
+}

@@ -1,0 +1,256 @@
+//! Reading a map from a file or from standard input, or using the built-in map.
+
+use crate::output::{Failure, named};
+use crate::progress::busy;
+use indicatif::{ProgressBar, ProgressStyle};
+use std::fs::File;
+use std::io::{self, BufReader, Read as _};
+use std::path::{Path, PathBuf};
+use twinedge_geometry::noding::Snap;
+use twinedge_layers::io::ForeignFormat;
+use twinedge_layers::{Format, Layer, ReadError, read_layer, unpack};
+use twinedge_report::{Imported, Input, Judged, Keep, MapOptions};
+
+/// The built-in map of the world; see `data/README.md`.
+const EMBEDDED: &[u8] = include_bytes!("../data/world-110m.geojson");
+const EMBEDDED_NAME: &str = "world-110m.geojson (built in)";
+
+/// The number of bytes that identify an archive.
+const MAGIC: usize = 4;
+
+/// Opens a file, standard input if the path is `-`, or the built-in map without a path. If the file is an archive, opens its content.
+pub(crate) fn open(path: Option<&Path>, layer: Option<&str>) -> Result<Input, Failure> {
+    let mut input = open_as_it_is(path, layer)?;
+    let head: Vec<u8> = input.beginning()?.iter().copied().take(MAGIC).collect();
+    let unpacked = unpack(&head, &mut input.reader, input.path.as_deref(), layer);
+    let Some(unpacked) = unpacked.map_err(named(&input.name))? else {
+        return Ok(input);
+    };
+    let inner = open_as_it_is(Some(&unpacked.path), unpacked.layer.as_deref())?;
+    // Dropping this deletes the folder.
+    Ok(Input { name: input.name, kept: Some(Box::new(unpacked)), ..inner })
+}
+
+fn open_as_it_is(path: Option<&Path>, layer: Option<&str>) -> Result<Input, Failure> {
+    let input = match path {
+        None => Input::new(EMBEDDED_NAME, Box::new(EMBEDDED), None),
+        Some(path) if path == Path::new("-") => {
+            Input::new("standard input", Box::new(BufReader::new(io::stdin())), None)
+        }
+        Some(path) => {
+            let name = path.display().to_string();
+            let file = File::open(path).map_err(named(&name))?;
+            if path.is_dir() {
+                let foreign = ForeignFormat::of_folder(path).map(|foreign| ReadError::Foreign(foreign).to_string());
+                let what = foreign.unwrap_or_else(|| "this is a folder, and a file is needed".to_owned());
+                return Err(Failure(format!("{name}: {what}")));
+            }
+            let length = file.metadata().map_or(0, |metadata| metadata.len());
+            Input::new(name, Box::new(BufReader::new(progress(length).wrap_read(file))), Some(path))
+        }
+    };
+    Ok(Input { layer: layer.map(str::to_owned), ..input })
+}
+
+/// A progress bar on standard error, if that is a terminal.
+fn progress(bytes: u64) -> ProgressBar {
+    let bar = ProgressBar::new(bytes);
+    if let Ok(style) = ProgressStyle::with_template("reading {bar:40} {bytes}/{total_bytes}, {eta} left") {
+        bar.set_style(style);
+    }
+    bar
+}
+
+/// The file that is named on the command line.
+#[derive(Debug, clap::Args)]
+pub(crate) struct MapFile {
+    /// A file of GeoJSON, newline-delimited GeoJSON, TopoJSON, well-known text or binary, a Shapefile, a GeoPackage, GeoParquet or FlatGeobuf,
+    /// or `-` for standard input; also in a zip archive or as gzip data. `audit` and `certify` take meshes as well: OBJ, OFF, PLY, STL. Default: the
+    /// built-in map of the world.
+    file: Option<PathBuf>,
+
+    /// The layer to read of a file with several: the table of a GeoPackage, the object of a TopoJSON, the file of a zip archive.
+    #[arg(long, value_name = "NAME")]
+    layer: Option<String>,
+
+    #[command(flatten)]
+    cutting: Cutting,
+
+    /// Take the names of features from this column (property). Default: name, NAME, Name, ADMIN, admin, title or id, the first
+    /// that there is.
+    #[arg(long, value_name = "COLUMN", global = true)]
+    name_from: Option<String>,
+
+    /// Accept a file without lines and polygons, such as an empty layer or one of points.
+    #[arg(long)]
+    allow_empty: bool,
+}
+
+pub(crate) struct WithText {
+    pub(crate) name: String,
+    pub(crate) layer: Layer,
+    /// The text and its format, if the layer is GeoJSON.
+    pub(crate) text: Option<(String, Format)>,
+}
+
+/// A layer that is named on the command line.
+#[derive(Debug, clap::Args)]
+pub(crate) struct LayerFile {
+    /// The file to read, or `-` for standard input: GeoJSON, newline-delimited GeoJSON, TopoJSON, well-known text or binary, a
+    /// Shapefile, a GeoPackage, GeoParquet or FlatGeobuf; also in a zip archive or as gzip data.
+    file: PathBuf,
+
+    /// The layer to read of a file with several: the table of a GeoPackage, the object of a TopoJSON, the file of a zip archive.
+    #[arg(long, value_name = "NAME")]
+    layer: Option<String>,
+}
+
+impl LayerFile {
+    pub(crate) fn path(&self) -> Option<&Path> {
+        Some(self.file.as_path()).filter(|path| *path != Path::new("-"))
+    }
+
+    /// Returns the format of the file, if it is a layer and not an archive.
+    pub(crate) fn format(&self) -> Result<Option<Format>, Failure> {
+        let mut input = open_as_it_is(Some(&self.file), self.layer.as_deref())?;
+        input.map_format().map_err(named(&input.name.clone()))
+    }
+
+    /// Reads the whole layer. Returns it with the name of the input.
+    pub(crate) fn read(&self) -> Result<(String, Layer), Failure> {
+        read_file(&self.file, self.layer.as_deref())
+    }
+
+    /// Reads the whole layer, and keeps its text if it is GeoJSON.
+    pub(crate) fn read_with_text(&self) -> Result<WithText, Failure> {
+        let mut input = open(Some(&self.file), self.layer.as_deref())?;
+        let format = input.map_format().map_err(named(&input.name.clone()))?;
+        let format =
+            format.filter(|format| matches!(format, Format::GeoJson | Format::GeoJsonSeq) && input.kept.is_none());
+        let Some(format) = format else {
+            let (name, layer) = read_input(input)?;
+            return Ok(WithText { name, layer, text: None });
+        };
+        let mut bytes = Vec::new();
+        input.reader.read_to_end(&mut bytes).map_err(named(&input.name))?;
+        let layer = read_layer(&mut &*bytes, input.path.as_deref(), &input.options()).map_err(named(&input.name))?;
+        let text = String::from_utf8(bytes).ok().map(|text| (text, format));
+        Ok(WithText { name: input.name, layer, text })
+    }
+
+    pub(crate) fn bytes(&self) -> Result<Vec<u8>, Failure> {
+        let mut input = open_as_it_is(Some(&self.file), None)?;
+        let mut bytes = Vec::new();
+        input.reader.read_to_end(&mut bytes).map_err(named(&input.name))?;
+        Ok(bytes)
+    }
+}
+
+/// Reads a whole layer. Returns it with the name of the input.
+pub(crate) fn read_file(path: &Path, layer: Option<&str>) -> Result<(String, Layer), Failure> {
+    read_input(open(Some(path), layer)?)
+}
+
+fn read_input(mut input: Input) -> Result<(String, Layer), Failure> {
+    input.map_format().map_err(named(&input.name.clone()))?;
+    let options = input.options();
+    let layer = read_layer(&mut input.reader, input.path.as_deref(), &options).map_err(named(&input.name))?;
+    Ok((input.name, layer))
+}
+
+/// The treatment of segments that cross, touch or overlap.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Cutting {
+    /// Cut segments wherever they cross, touch or overlap, and round all points to a grid. `auto` chooses the finest grid that
+    /// the coordinates allow. SIZE is the width of its cells: with 0.001, coordinates have three decimal places, and such coordinates stay.
+    #[arg(long, value_name = "auto|SIZE", value_parser = snap, allow_negative_numbers = true)]
+    snap: Option<Snap>,
+}
+
+impl MapFile {
+    pub(crate) fn path(&self) -> Option<&Path> {
+        self.file.as_deref().filter(|path| *path != Path::new("-"))
+    }
+
+    pub(crate) fn is_stdin(&self) -> bool {
+        self.file.as_deref() == Some(Path::new("-"))
+    }
+
+    /// Returns the number and SHA-256 of the bytes of the file or of the built-in map; `None` for an input that can only be read once.
+    ///
+    /// This reads the file again: some formats are read by path and not sequentially, and others may leave bytes after the last record unread.
+    pub(crate) fn judged(&self) -> Result<Option<Judged>, Failure> {
+        Ok(match &self.file {
+            None => Some(Judged::of(EMBEDDED)?),
+            Some(_) => match self.path().filter(|path| path.is_file()) {
+                Some(path) => Some(Judged::of(BufReader::new(File::open(path)?))?),
+                None => None,
+            },
+        })
+    }
+
+    pub(crate) fn layer(&self) -> Option<&str> {
+        self.layer.as_deref()
+    }
+
+    pub(crate) fn open(&self) -> Result<Input, Failure> {
+        open(self.file.as_deref(), self.layer())
+    }
+
+    /// Reads the map and builds it. Refuses a mesh.
+    pub(crate) fn build(&self) -> Result<Imported, Failure> {
+        self.build_keeping(Keep::default())
+    }
+
+    /// Reads the map, builds it and keeps the requested notes. Refuses a mesh.
+    pub(crate) fn build_keeping(&self, keep: Keep<'_>) -> Result<Imported, Failure> {
+        let mut input = self.open()?;
+        let name = input.name.clone();
+        if let Some(format) = input.mesh_format().map_err(named(&name))? {
+            return Err(Failure(format!(
+                "{name}: this is a mesh ({format}); only `twinedge audit` and `twinedge certify` take meshes"
+            )));
+        }
+        self.build_from(input, keep)
+    }
+
+    /// Returns true if segments are cut.
+    pub(crate) const fn is_snapped(&self) -> bool {
+        self.cutting.snap.is_some()
+    }
+
+    pub(crate) fn options(&self) -> MapOptions {
+        MapOptions { snap: self.cutting.snap, name_from: self.name_from.clone(), allow_empty: self.allow_empty }
+    }
+
+    /// Builds the map of an open input.
+    pub(crate) fn build_from(&self, input: Input, keep: Keep<'_>) -> Result<Imported, Failure> {
+        let name = input.name.clone();
+        busy(|stage| Imported::read(input, &self.options(), keep, stage)).map_err(named(&name))
+    }
+}
+
+/// Parses the argument of `--list` and similar options.
+pub(crate) fn whole(text: &str) -> Result<usize, String> {
+    text.parse().map_err(|_| "not a whole number".to_owned())
+}
+
+/// Parses a number of bytes, such as `4096`, `64K`, `256M` or `2G`.
+pub(crate) fn size(text: &str) -> Result<u64, String> {
+    let in_units =
+        [("K", 10), ("M", 20), ("G", 30)].into_iter().find_map(|(unit, shift)| Some((text.strip_suffix(unit)?, shift)));
+    let (number, shift) = in_units.unwrap_or((text, 0));
+    let bytes = number.parse::<u64>().ok().and_then(|number| number.checked_mul(1 << shift));
+    bytes.ok_or_else(|| "a number, or one with K, M or G behind it, as in 256M".to_owned())
+}
+
+/// Parses the argument of `--snap`.
+pub(crate) fn snap(text: &str) -> Result<Snap, String> {
+    if text == "auto" {
+        return Ok(Snap::Auto);
+    }
+    match text.parse() {
+        Ok(size) if size > 0.0 && f64::is_finite(size) => Ok(Snap::Size(size)),
+        _ => Err("neither `auto` nor a positive number".to_owned()),
+    }
+}

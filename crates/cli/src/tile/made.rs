@@ -1,0 +1,101 @@
+//! Creates the summaries of a tile from the whole map or from the surroundings of the tile.
+
+use std::collections::BTreeMap;
+use twinedge_coverage::tile::{AuditError, Cuts, Grid, Summary, Tile, TileError};
+use twinedge_coverage::{Limits, insert_touches};
+use twinedge_geometry::Point;
+use twinedge_layers::io::ReadSummary;
+use twinedge_layers::{Feature as LayerFeature, Indexed, ReadError, to_map};
+use twinedge_map::{BuildError, Feature};
+use twinedge_report::{Error, grid_of, no_cuts};
+
+/// The requested summary.
+pub(super) struct Asked {
+    pub(super) size: [u32; 2],
+    /// The corners of the box that the grid divides, if not the map's box.
+    pub(super) corners: Option<[Point; 2]>,
+    pub(super) place: Tile,
+    pub(super) limits: Limits,
+}
+
+impl Asked {
+    fn grid(&self, corners: Option<[Point; 2]>) -> Result<Grid, Error> {
+        match self.corners {
+            Some([low, high]) => Ok(Grid::new(low, high, self.size[0], self.size[1])?),
+            None => grid_of(corners, self.size),
+        }
+    }
+}
+
+/// The summary of a tile, and the summary of the tile with its edges cut.
+pub(super) struct Made {
+    pub(super) summary: Summary,
+    pub(super) cut: Option<Summary>,
+}
+
+/// Creates the summaries from all features of a map, which lies between two corners.
+pub(super) fn of_whole(features: &[Feature], corners: Option<[Point; 2]>, asked: &Asked) -> Result<Made, Error> {
+    let numbered = (0..).zip(features);
+    let grid = asked.grid(corners)?;
+    let summary = Summary::new(&grid, asked.place, numbered.clone(), &asked.limits).map_err(refused)?;
+    let cuts = complete(no_cuts(corners)?, &numbered)?.filter(|cuts| !cuts.is_empty());
+    let cut = cuts.map(|cuts| Summary::cut(&grid, asked.place, numbered, &asked.limits, &cuts));
+    Ok(Made { summary, cut: cut.transpose().map_err(refused)? })
+}
+
+/// Creates the summaries from the features around the tile: the features that meet it, and then the features that meet their edges there and so cut
+/// them. The rest of the map may need cuts too, so edges always count as cut.
+pub(super) fn by_windows(file: &mut Indexed, asked: &Asked) -> Result<Made, Error> {
+    let corners = file.corners();
+    let (grid, cuts) = (asked.grid(corners)?, no_cuts(corners)?);
+    if !grid.has(asked.place) {
+        return Err(refused(TileError::NoSuchTile(asked.place)));
+    }
+    let mut features = BTreeMap::new();
+    add(file, cuts.window(&grid, asked.place, []), &mut features)?;
+    let summary = Summary::new(&grid, asked.place, numbered(&features), &asked.limits).map_err(refused)?;
+    add(file, cuts.window(&grid, asked.place, features.values()), &mut features)?;
+    let cuts = complete(cuts, &numbered(&features))?;
+    let cut = cuts.map(|cuts| Summary::cut(&grid, asked.place, numbered(&features), &asked.limits, &cuts));
+    Ok(Made { summary, cut: cut.transpose().map_err(refused)? })
+}
+
+fn numbered(features: &BTreeMap<u32, Feature>) -> impl Iterator<Item = (u32, &Feature)> + Clone {
+    features.iter().map(|(number, feature)| (*number, feature))
+}
+
+/// Adds the features in a window that are still missing.
+fn add(file: &mut Indexed, window: [Point; 2], features: &mut BTreeMap<u32, Feature>) -> Result<(), Error> {
+    if u32::try_from(file.amount().of_features).is_err() {
+        return Err(ReadError::Refused("there are more than 4,294,967,295 features".into()).into());
+    }
+    let mut found = Vec::new();
+    file.read(window, &mut |number| !features.contains_key(&(number as u32)), &mut |number, geometry| {
+        let feature = LayerFeature { geometry, ..LayerFeature::default() };
+        let mut feature = to_map(&feature, &mut ReadSummary::default());
+        insert_touches(&mut feature.shapes);
+        found.push((number as u32, feature));
+    })?;
+    features.extend(found);
+    Ok(())
+}
+
+fn refused(error: TileError) -> Error {
+    AuditError::from(error).into()
+}
+
+/// Returns the cuts among all of these features; `None` if there are too many.
+fn complete<'f>(
+    mut cuts: Cuts,
+    features: &(impl Iterator<Item = (u32, &'f Feature)> + Clone),
+) -> Result<Option<Cuts>, Error> {
+    let all = Grid::EVERYTHING;
+    while !cuts.is_complete() {
+        let found = cuts.search(&all, Tile { column: 0, row: 0 }, features.clone());
+        match found.and_then(|found| cuts.take([found])) {
+            Err(TileError::Build(BuildError::TooManyCuts { .. })) => return Ok(None),
+            taken => taken.map_err(refused)?,
+        }
+    }
+    Ok(Some(cuts))
+}

@@ -1,0 +1,172 @@
+//! `twinedge tile`: the summary of one tile of a map. `twinedge sum` merges summaries.
+
+mod made;
+mod sum;
+
+pub(crate) use sum::Sum;
+
+use crate::coverage_arguments::LimitArguments;
+use crate::input::MapFile;
+use crate::output::{Failure, Verdict, named};
+use crate::output_file::write_file;
+use made::{Asked, Made, by_windows, of_whole};
+use serde::{Deserialize, Serialize};
+use std::path::PathBuf;
+use twinedge_coverage::tile::{Summary, Tile as Place};
+use twinedge_geometry::Point;
+use twinedge_layers::io::ReadSummary;
+use twinedge_layers::{Amount, Crs, Format, Indexed};
+use twinedge_report::words::grouped;
+use twinedge_report::{Error, Imported, InMemory, Keep, refuse_edges};
+
+/// Make the summary of one tile of a map.
+///
+/// A grid cuts the map into tiles, and each can be judged by a process of its own, on whatever machine. `twinedge sum` of the summaries of
+/// all tiles says what `twinedge audit` says of the map. Summaries that are equal are equal byte by byte, so a tile may be made again.
+///
+/// Of `FlatGeobuf` with an index, and of `GeoParquet` with a column of boxes or Parquet's own geometries, only the features that meet the tile are read, and features that
+/// cut their edges. A box that is smaller than its feature is an error in each tile that it meets: if all tiles can be made, no feature was missed. Other files are read
+/// as a whole for each tile; `twinedge convert` writes both formats.
+///
+/// All tiles must be made of the same file, with the same grid, box and limits.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  twinedge tile parcels.geojson --grid 2x1 --tile 0,0 -o 0-0.summary
+  twinedge tile parcels.geojson --grid 2x1 --tile 1,0 -o 1-0.summary
+  twinedge sum *.summary
+
+Exit status: 0 the summary is written, whatever is in it; 2 the input could not be read.")]
+pub(crate) struct Tile {
+    #[command(flatten)]
+    map: MapFile,
+
+    /// The numbers of columns and rows.
+    #[arg(long, value_name = "COLUMNSxROWS", value_parser = grid_size)]
+    grid: [u32; 2],
+
+    /// The column and the row of the tile, counted from 0, from the lower left.
+    #[arg(long = "tile", value_name = "COLUMN,ROW", value_parser = place)]
+    place: Place,
+
+    /// The box that the grid divides, by two corners. Points outside belong to the tiles at the border. Default: the box around the map.
+    #[arg(long = "box", value_name = "X0,Y0,X1,Y1", value_parser = corners, allow_hyphen_values = true)]
+    corners: Option<[Point; 2]>,
+
+    /// Take edges as straight, whatever the file says. Otherwise a `GeoParquet` file is refused that says that its edges are not planar.
+    #[arg(long, value_name = "SHAPE", value_parser = ["straight"])]
+    edges: Option<String>,
+
+    #[command(flatten)]
+    limits: LimitArguments,
+
+    /// Say on standard error how much of the file was read.
+    #[arg(short, long)]
+    verbose: bool,
+
+    /// The file to write.
+    #[arg(short, long, value_name = "FILE")]
+    output: PathBuf,
+}
+
+/// The file of a summary.
+#[derive(Serialize, Deserialize)]
+struct Saved {
+    command: String,
+    version: String,
+    /// The coordinate reference system, unless it is longitude and latitude on WGS 84.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    crs: Option<String>,
+    summary: Summary,
+    /// The summary of the tile with its edges cut; `None` if the map needs no cuts, or too many.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    cut: Option<Summary>,
+}
+
+impl Saved {
+    const COMMAND: &'static str = "tile";
+
+    /// Returns the file with these summaries. `crs` names a reference system other than longitude and latitude.
+    fn bytes(crs: Option<String>, summary: Summary, cut: Option<Summary>) -> Result<Vec<u8>, Failure> {
+        let (command, version) = (Self::COMMAND.to_owned(), env!("CARGO_PKG_VERSION").to_owned());
+        let mut bytes = serde_json::to_vec(&Self { command, version, crs, summary, cut })?;
+        bytes.push(b'\n');
+        Ok(bytes)
+    }
+}
+
+fn grid_size(text: &str) -> Result<[u32; 2], String> {
+    let numbers = text.split_once('x').and_then(|(columns, rows)| Some([columns.parse().ok()?, rows.parse().ok()?]));
+    numbers.ok_or_else(|| "not the numbers of columns and rows, as in 64x64".to_owned())
+}
+
+fn place(text: &str) -> Result<Place, String> {
+    let numbers = text.split_once(',').and_then(|(column, row)| Some((column.parse().ok()?, row.parse().ok()?)));
+    let place = |(column, row)| Place { column, row };
+    numbers.map(place).ok_or_else(|| "not a column and a row, as in 3,4".to_owned())
+}
+
+fn corners(text: &str) -> Result<[Point; 2], String> {
+    let numbers: Option<Vec<f64>> = text.split(',').map(|x| x.trim().parse().ok()).collect();
+    match numbers.as_deref() {
+        Some(&[x0, y0, x1, y1]) if x0 < x1 && y0 < y1 && [x0, y0, x1, y1].iter().all(|x| x.is_finite()) => {
+            Ok([Point::new(x0, y0), Point::new(x1, y1)])
+        }
+        Some(&[_, _, _, _]) => Err("not the lower left corner and then the upper right one, finite".to_owned()),
+        _ => Err("not four numbers with commas between".to_owned()),
+    }
+}
+
+impl Tile {
+    pub(crate) fn run(&self) -> Result<Verdict, Failure> {
+        let mut input = self.map.open()?;
+        let name = input.name.clone();
+        if self.map.is_snapped() {
+            return Err(Failure(format!("{name}: --snap is for whole maps: a tile takes edges as they are")));
+        }
+        let options = input.options();
+        let may_say = input.map_format().map_err(named(&name))? == Some(Format::GeoParquet) && self.edges.is_none();
+        // A pipe can only be read once, so it is not opened a second time.
+        let path = input.path.as_deref().filter(|path| path.is_file());
+        let indexed = path.map(|path| Indexed::open(path, &options)).transpose().map_err(named(&name))?.flatten();
+        // Cuts depend on the extent of the map.
+        let indexed = indexed.filter(|file| file.corners().is_some());
+        let asked = Asked { size: self.grid, corners: self.corners, place: self.place, limits: self.limits.limits() };
+        let refuse = |edges: Option<&str>, crs: Option<&Crs>, corners| {
+            refuse_edges(edges.filter(|_| may_say), crs, corners).map_err(named(&name))
+        };
+        let (made, crs, amount) = if let Some(mut file) = indexed {
+            let header = file.header().map_err(named(&name))?;
+            refuse(header.edges(), header.crs.as_ref(), file.corners())?;
+            let may_be_empty = self.map.options().allow_empty;
+            if !may_be_empty && file.has_only_points().map_err(named(&name))? {
+                let points = file.amount().of_features as usize;
+                let mut read = ReadSummary::default();
+                (read.features, read.points) = (points, points);
+                return Err(named(&name)(Error::NoMap(Box::new(read))));
+            }
+            (by_windows(&mut file, &asked).map_err(named(&name))?, header.crs, Some(file.amount()))
+        } else {
+            let mut shelf = InMemory::default();
+            let imported = Imported::features(input, &self.map.options(), Keep::default(), &mut shelf);
+            let Imported { edges, crs, noted, .. } = imported.map_err(named(&name))?;
+            refuse(edges.as_deref(), crs.as_ref(), noted.corners())?;
+            let made = of_whole(shelf.features(), noted.corners(), &asked).map_err(named(&name))?;
+            (made, crs, None)
+        };
+        if self.verbose {
+            eprintln!("{name}: {}", told(amount));
+        }
+        let Made { summary, cut } = made;
+        let crs = crs.filter(Crs::is_other).map(|crs| crs.name());
+        write_file(&self.output, self.map.path(), &Saved::bytes(crs, summary, cut)?)?;
+        Ok(Verdict::Sound)
+    }
+}
+
+fn told(amount: Option<Amount>) -> String {
+    let Some(Amount { features, of_features, bytes, of_bytes, .. }) = amount else {
+        return "the whole file was read, as it has no boxes that say where all its features are".to_owned();
+    };
+    let [features, of_features, bytes, of_bytes] = [features, of_features, bytes, of_bytes].map(grouped);
+    format!("{features} of {of_features} features were read, and {bytes} bytes; the file has {of_bytes}")
+}

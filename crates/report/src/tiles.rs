@@ -1,0 +1,404 @@
+//! The audit of a map by tiles, and of tiles with saved summaries.
+
+use crate::coverage::{Coverage, CoverageOptions};
+use crate::error::Error;
+use crate::imported::{Imported, names};
+use crate::left_out::{reason, refuse_missing, without_cuts};
+use crate::map::following;
+use crate::map_json::extra;
+use crate::map_notes::notes;
+use crate::names::numbered_name;
+use crate::noted::{Noted, are_degrees};
+use crate::options::Options;
+use crate::report::{AuditReport, CoverageStyle, JsonForm, counts};
+use crate::shelf::Shelf;
+use crate::tile_words::made_without;
+use crate::trace::position;
+use crate::units::Units;
+use crate::words::counted;
+use serde_json::{Map, Value, json, to_value};
+use twinedge::validate::{Rule, Violation};
+use twinedge_coverage::tile::{
+    AuditError, Crossing, CrossingKind, Cuts, Grid, GridError, Outcome, SeamFault, SeamRule, Summary, Tile, Uneven,
+};
+use twinedge_coverage::{CoverageRule, Defect, Limits, tile};
+use twinedge_diagnosis::{Diagnosis, Figures, Kind, Records, RuleLine, middle};
+use twinedge_geometry::Point;
+use twinedge_layers::Crs;
+use twinedge_layers::io::ReadSummary;
+use twinedge_map::{BuildError, BuildSummary, Shape};
+
+/// The way to divide a map into tiles.
+#[derive(Clone, Copy, Debug)]
+pub enum Division {
+    /// This number of columns, and of rows.
+    Across(u32),
+    /// The memory in bytes that judging the tiles may take, approximately.
+    Within(u64),
+}
+
+/// The bytes used per vertex of the features of a tile, and the number of tiles judged at a time.
+const BYTES: u64 = 700;
+const AT_ONCE: u64 = 3;
+
+/// The finest grid has 2 to this power of columns and rows.
+const FINEST: u32 = 7;
+
+/// Divides a map on a shelf into tiles, judges them and merges their summaries.
+pub(crate) fn audit(
+    mut imported: Imported,
+    asked: &Options,
+    division: Division,
+    shelf: &mut dyn Shelf,
+    stage: &mut dyn FnMut(&'static str),
+) -> Result<AuditReport, Error> {
+    stage("dividing the map");
+    let corners = imported.noted.corners();
+    let grid = match division {
+        Division::Across(across) => grid_of(corners, [across; 2])?,
+        Division::Within(bytes) => fitting(corners, shelf, bytes)?,
+    };
+    let outcome = judged(&grid, corners, &asked.coverage.limits, shelf, || stage("judging the tiles"))?;
+    let summary = &mut imported.summary;
+    // Equal segments are one edge.
+    summary.duplicate_segments = (summary.segments - summary.zero_length_segments).saturating_sub(outcome.counts.edges);
+    imported.noted.defects = numbered(&outcome.defects);
+    let noted = &imported.noted;
+    let warnings: Vec<String> = imported.warnings();
+    let mut extra = extra(&imported, &warnings);
+    extra.insert("tiles".to_owned(), size(&grid));
+    let units = Units::of(&imported, asked.geodesic)?;
+    let found = report(&imported, outcome, None, &asked.coverage, &units, asked.most())?;
+    Ok(AuditReport {
+        notes: notes(&imported, warnings),
+        style: CoverageStyle { is_rule: asked.coverage.is_rule, list: asked.list, decimals: noted.decimals() },
+        crs: imported.crs.clone(),
+        json: JsonForm { extra, ..found.json },
+        ..found
+    })
+}
+
+/// Files the features of a shelf under the tiles of a grid and judges these, calling `filed` in between.
+pub(crate) fn judged(
+    grid: &Grid,
+    corners: Option<[Point; 2]>,
+    limits: &Limits,
+    shelf: &mut dyn Shelf,
+    filed: impl FnOnce(),
+) -> Result<Outcome, Error> {
+    let cuts = no_cuts(corners)?;
+    let number = |tile| number_of(grid, tile);
+    let windows: Vec<[Point; 2]> = grid.tiles().map(|tile| cuts.window(grid, tile, [])).collect();
+    shelf.file(&windows, &|feature| cuts.tiles_of(grid, feature).map(number).collect())?;
+    filed();
+    Ok(tile::audit(grid, limits, cuts, |tile| shelf.of_tile(number(tile)))?)
+}
+
+const fn number_of(grid: &Grid, tile: Tile) -> usize {
+    tile.row as usize * grid.size()[0] as usize + tile.column as usize
+}
+
+fn numbered(defects: &[(u32, Vec<Defect>)]) -> Vec<(usize, Vec<Defect>)> {
+    defects.iter().map(|(feature, found)| (*feature as usize, found.clone())).collect()
+}
+
+/// Returns the coarsest grid of 1, 2, 4 … columns and rows whose tiles each fit into `bytes`. If there is none, returns the coarsest grid whose
+/// largest tile is at most a quarter larger than the smallest possible largest tile, since each tile costs memory.
+pub(crate) fn fitting(corners: Option<[Point; 2]>, shelf: &mut dyn Shelf, bytes: u64) -> Result<Grid, Error> {
+    let mut sizes = Vec::new();
+    for power in 0..=FINEST {
+        // Coordinates that are not distinct cannot be divided.
+        if let Ok(grid) = grid_of(corners, [1 << power; 2]) {
+            sizes.push((grid, vec![0_u64; 1 << (2 * power)]));
+        }
+    }
+    shelf.each(&mut |feature| {
+        let vertices = feature.shapes.iter().map(|shape| vertices(shape) as u64).sum::<u64>();
+        for (grid, given) in &mut sizes {
+            for tile in grid.tiles_of(feature) {
+                given[number_of(grid, tile)] += vertices;
+            }
+        }
+    })?;
+    let largest = |given: &[u64]| given.iter().copied().max().unwrap_or_default();
+    let fits = |given: &[u64]| largest(given).saturating_mul(BYTES * AT_ONCE) <= bytes;
+    let fitting = sizes.iter().find(|(_, given)| fits(given));
+    let smallest = || {
+        let least = sizes.iter().map(|(_, given)| largest(given)).min()?;
+        sizes.iter().find(|(_, given)| largest(given) - least <= least / 4)
+    };
+    fitting.or_else(smallest).map(|(grid, _)| *grid).ok_or(Error::Grid(GridError::Lines))
+}
+
+fn vertices(shape: &Shape) -> usize {
+    match shape {
+        Shape::Polygon(rings) => rings.iter().map(Vec::len).sum(),
+        Shape::Line(points) => points.len(),
+        Shape::Point(_) => 1,
+    }
+}
+
+/// Reports the merged summary of all tiles, using the summary of the same tiles with their edges cut, if given. Features are known by their numbers.
+pub(crate) fn audit_summary(
+    summary: Summary,
+    cut: Option<Summary>,
+    crs: Option<Crs>,
+    asked: &Options,
+) -> Result<AuditReport, Error> {
+    let grid = *summary.grid();
+    refuse_missing(&summary)?;
+    let without = cut.as_ref().map(|cut| without_cuts(&summary, cut)).unwrap_or_default();
+    let outcome = summary.finish().map_err(AuditError::from)?;
+    let (outcome, left_out) = match cut.filter(|_| without.is_empty()) {
+        Some(cut) => {
+            let cut = cut.finish().map_err(AuditError::from)?;
+            let left_out = reason(&grid, &cut);
+            (outcome.with_cut(cut), left_out)
+        }
+        None => (outcome, (!without.is_empty()).then(|| made_without(&without))),
+    };
+    if outcome.counts.edges == 0 && !asked.map.allow_empty {
+        return Err(Error::NoEdges);
+    }
+    let mut noted = Noted::new(None);
+    noted.defects = numbered(&outcome.defects);
+    if let Some(corners) = outcome.corners {
+        noted.reach(corners, &outcome.extents);
+    }
+    let [columns, rows] = grid.size();
+    let mut read = ReadSummary::default();
+    read.polygons = 1;
+    read.other_crs = usize::from(crs.is_some());
+    let imported = Imported {
+        name: counted(columns as usize * rows as usize, "tile"),
+        read,
+        map: names(std::iter::empty())?,
+        summary: BuildSummary::default(),
+        noted,
+        builder: None,
+        unmatched: Vec::new(),
+        features: Vec::new(),
+        crs,
+        orients_rings: false,
+        edges: None,
+    };
+    let units = Units::of(&imported, false)?;
+    let found = report(&imported, outcome, left_out, &asked.coverage, &units, asked.most())?;
+    let extra: Map<String, Value> = [("tiles".to_owned(), size(&grid))].into_iter().collect();
+    let decimals = imported.noted.decimals();
+    Ok(AuditReport {
+        style: CoverageStyle { list: None, decimals, is_rule: asked.coverage.is_rule },
+        json: JsonForm { extra, ..found.json },
+        ..found
+    })
+}
+
+pub(crate) fn size(grid: &Grid) -> Value {
+    let [columns, rows] = grid.size();
+    json!({ "columns": columns, "rows": rows })
+}
+
+/// Refuses a file whose header declares that its edges, between longitudes and latitudes in a box, are great circles: tiles have straight edges.
+///
+/// # Errors
+/// [`Error::NotStraight`].
+pub fn refuse_edges(edges: Option<&str>, crs: Option<&Crs>, corners: Option<[Point; 2]>) -> Result<(), Error> {
+    let are_degrees = !crs.is_some_and(Crs::is_other) && are_degrees(corners);
+    edges.filter(|_| are_degrees).map_or(Ok(()), |edges| Err(Error::NotStraight(edges.to_owned())))
+}
+
+/// Returns empty cuts for a map in the box between two corners, or for nothing.
+///
+/// # Errors
+/// [`BuildError::OutOfReach`].
+pub fn no_cuts(corners: Option<[Point; 2]>) -> Result<Cuts, BuildError> {
+    Cuts::new(corners.iter().flatten().fold(0.0, |most: f64, p| most.max(p.x.abs()).max(p.y.abs())))
+}
+
+/// Returns the grid that divides the box between two corners, or a grid around nothing.
+///
+/// # Errors
+/// [`Error::Grid`].
+pub fn grid_of(corners: Option<[Point; 2]>, [columns, rows]: [u32; 2]) -> Result<Grid, Error> {
+    // A box without width is divided as well.
+    let wide = |low: f64, high: f64| if low < high { (low, high) } else { (low.min(0.0) - 1.0, high.max(0.0) + 1.0) };
+    let ((left, right), (bottom, top)) = match corners {
+        Some([low, high]) => (wide(low.x, high.x), wide(low.y, high.y)),
+        None => ((0.0, 1.0), (0.0, 1.0)),
+    };
+    Ok(Grid::new([left, bottom], [right, top], columns, rows)?)
+}
+
+/// Merges summaries, neighbours first; `None` if there are none.
+///
+/// # Errors
+/// [`Error::Tiles`].
+pub fn merged(mut summaries: Vec<Summary>) -> Result<Option<Summary>, Error> {
+    while summaries.len() > 1 {
+        let mut rest = summaries.into_iter();
+        let mut pairs = Vec::new();
+        while let Some(one) = rest.next() {
+            pairs.push(match rest.next() {
+                Some(other) => one.merge(other).map_err(AuditError::from)?,
+                None => one,
+            });
+        }
+        summaries = pairs;
+    }
+    Ok(summaries.pop())
+}
+
+/// Creates the report, without facts about the input. `left_out` explains which tiles were left out when edges were cut.
+fn report(
+    imported: &Imported,
+    mut outcome: Outcome,
+    left_out: Option<String>,
+    asked: &CoverageOptions,
+    units: &Units,
+    list: usize,
+) -> Result<AuditReport, Error> {
+    let mut rules: Vec<RuleLine> = outcome.rules().map(|(rule, outcome)| RuleLine::new(rule, outcome)).collect();
+    rules.extend(SeamRule::ALL.into_iter().filter_map(|rule| seam_line(rule, &outcome)));
+    let is_plane = outcome.crossings.is_empty() && outcome.adds_up.is_some();
+    let why = match (&outcome.uncut, left_out) {
+        (Some(why), _) => why.to_string(),
+        (None, _) if is_plane => "tiles contradict each other".to_owned(),
+        (None, Some(why)) => format!("borders cross, and {why}"),
+        (None, None) => "borders cross, and it is not known how to cut them".to_owned(),
+    };
+    let too_far = imported.noted.too_far_to_cut().filter(|_| !is_plane);
+    let found = too_far.map_or_else(|| outcome.coverage.take().ok_or(why), Err);
+    let coverage = Coverage::of_tiles(imported, asked, units, list, found);
+    let mismatched = |one: &Crossing| {
+        let features = one.features.iter().map(|number| *number as usize).collect();
+        one.kind != CrossingKind::Cross && coverage.lacks_any(&[one.first, one.second].concat(), &features)
+    };
+    let of_mismatches = outcome.crossings.iter().filter(|one| mismatched(one)).count();
+    let source = |is_mismatch: bool, rule: Rule| {
+        let of_clash = (rule == Rule::T3 && !outcome.crossings.is_empty()).then_some(Rule::G4.id());
+        if is_mismatch { Some(CoverageRule::Mismatch.id()) } else { of_clash }
+    };
+    let all_mismatch = of_mismatches > 0 && of_mismatches == outcome.crossings.len();
+    let mut violations: Vec<Diagnosis> =
+        outcome.uneven.iter().map(|one| following(uneven(one), Rule::T3, source(all_mismatch, Rule::T3))).collect();
+    violations.extend(
+        outcome
+            .crossings
+            .iter()
+            .map(|one| following(crossing(imported, one), Rule::G4, source(mismatched(one), Rule::G4))),
+    );
+    violations.extend(outcome.seams.iter().map(seam));
+    violations.extend(outcome.not_given.iter().map(|feature| not_given(*feature)));
+    if outcome.adds_up == Some(false) && violations.is_empty() {
+        violations.push(violation(Rule::T3.id(), "sums", "V − E + F is not 1 + C".to_owned(), &[]));
+    }
+    let violation_count = violations.len() as u64;
+    violations.truncate(list);
+    let (is_valid, bounds) = (outcome.is_valid(), outcome.bounds().filter(|_| outcome.is_valid()));
+    let found = outcome.counts;
+    let of_coverage = if asked.is_rule { coverage.total() } else { 0 };
+    let is_coverage = of_coverage == 0 && (!asked.is_rule || coverage.not_checked().is_none());
+    Ok(AuditReport {
+        valid: is_valid && is_coverage,
+        json: JsonForm { counts: to_value(found)?, bounds, ..JsonForm::default() },
+        counts: counts(&found),
+        rules,
+        violations,
+        violation_count,
+        coverage: Some(coverage),
+        ..AuditReport::new(&imported.name)
+    })
+}
+
+/// The line of a rule of seams; `None` if the rule holds.
+fn seam_line(rule: SeamRule, outcome: &Outcome) -> Option<RuleLine> {
+    let faults = outcome.seams.iter().filter(|fault| fault.rule == rule).count();
+    let not_given = if rule == SeamRule::Features { outcome.not_given.len() } else { 0 };
+    let violations = (faults + not_given) as u64;
+    (violations > 0).then_some(RuleLine {
+        id: rule.id(),
+        name: rule.name(),
+        statement: "what two tiles say of the border between them is the same",
+        checked: violations,
+        unit: "places",
+        violations,
+        unchecked: None,
+        left_out: None,
+    })
+}
+
+fn violation(rule: &'static str, kind: &'static str, message: String, places: &[Point]) -> Diagnosis {
+    Diagnosis {
+        rule: Some(rule),
+        kind: Kind::Named { kind },
+        message,
+        // Tiles do not number records.
+        records: Records::Names { records: Vec::new() },
+        places: Some(places.iter().copied().map(position).collect()),
+        look: places.first().copied().map(position),
+        is_violation: true,
+        ..Diagnosis::default()
+    }
+}
+
+fn edge([a, b]: [Point; 2]) -> String {
+    format!("({}, {})-({}, {})", a.x, a.y, b.x, b.y)
+}
+
+fn crossing(imported: &Imported, one: &Crossing) -> Diagnosis {
+    let [first, second] = [one.first, one.second].map(edge);
+    let (kind, message) = match one.kind {
+        CrossingKind::Touch => {
+            let vertex = one.first[0];
+            ("touch", format!("the vertex at ({}, {}) lies inside the edge {second}", vertex.x, vertex.y))
+        }
+        CrossingKind::Overlap => ("overlap", format!("the edges {first} and {second} overlap")),
+        _ => ("cross", format!("the edges {first} and {second} cross where no vertex is")),
+    };
+    let places = match one.kind {
+        CrossingKind::Touch => [&one.first[..1], &one.second].concat(),
+        _ => [one.first, one.second].concat(),
+    };
+    let features = one.features.iter().map(|number| numbered_name(imported, *number as usize));
+    let found = violation(Rule::G4.id(), kind, message, &places);
+    let positions: Vec<_> = places.iter().copied().map(position).collect();
+    let of_whole = match one.kind {
+        CrossingKind::Touch => Violation::Touch { vertex: 0, half_edge: 0 },
+        CrossingKind::Overlap => Violation::Overlap { first: 0, second: 0 },
+        _ => Violation::Cross { first: 0, second: 0 },
+    };
+    Diagnosis {
+        cause: Some(of_whole.cause()),
+        features: Some(features.collect()),
+        look: if one.kind == CrossingKind::Touch { found.look } else { middle(&positions) },
+        ..found
+    }
+}
+
+fn uneven(one: &Uneven) -> Diagnosis {
+    let Uneven { vertices, edges, cycles, at, .. } = *one;
+    let message =
+        format!("a component has V = {vertices}, E = {edges} and {cycles} cycles: it does not fit in the plane");
+    let found = violation(Rule::T3.id(), "genus", message, at.as_slice());
+    let Some(genus) = one.genus() else { return found };
+    let of_whole = Violation::Genus { vertex: 0, vertices: 0, edges: 0, cycles: 0, genus: 0 };
+    let fields = Figures { vertices, edges, cycles, genus };
+    Diagnosis { kind: Kind::Counted { kind: of_whole.kind(), fields }, cause: Some(of_whole.cause()), ..found }
+}
+
+fn seam(one: &SeamFault) -> Diagnosis {
+    let (tile, side) = (one.tile, format!("{:?}", one.side).to_lowercase());
+    let what = match one.rule {
+        SeamRule::Contact => "has an edge there that its neighbour has not",
+        SeamRule::Order => "has edges there in another order than its neighbour",
+        _ => "and its neighbour name different features there",
+    };
+    let at = one.edge.map(|ends| format!(", at the edge {}", edge(ends))).unwrap_or_default();
+    let places = one.edge.map(|ends| ends.to_vec()).unwrap_or_default();
+    violation(one.rule.id(), one.rule.name(), format!("{side} side of tile {tile}: the tile {what}{at}"), &places)
+}
+
+fn not_given(feature: u32) -> Diagnosis {
+    let message = format!("feature {feature} was not given to every tile that the box around it meets");
+    violation(SeamRule::Features.id(), "not_given", message, &[])
+}
