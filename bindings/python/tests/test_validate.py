@@ -228,7 +228,7 @@ def test_signals_are_handled_during_a_validation_and_end_it_if_they_raise():
 
 
 def test_types_without_a_sign_are_seen_with_one_where_that_bit_is_not_needed(triangle):
-    from twinedge._validate import _columns
+    from twinedge._links import _columns
 
     for unsigned, signed in [("u4", "i4"), ("u8", "i8")]:
         links = {name: column.astype(unsigned) for name, column in triangle.items()}

@@ -14,7 +14,7 @@ It names the rule that is broken and the record that breaks it::
 - :mod:`twinedge.adapters` has a function for each library whose structures it knows.
 - :mod:`twinedge.testing` has Hypothesis strategies of sound and broken structures.
 
-``import twinedge`` is enough for all: modules are imported when they are first used.
+``import twinedge`` is enough for all: :mod:`twinedge.tiles` and :mod:`twinedge.testing` are imported when they are first used.
 """
 
 from __future__ import annotations
@@ -22,6 +22,7 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from . import adapters
 from ._audit import audit, audit_faces
 from ._clean import Cleaned, clean
 from ._editor import Edited, Editor
@@ -34,7 +35,6 @@ from ._twinedge import KINDS, PRESETS, REPORT_SCHEMA, __version__
 from ._validate import validate
 
 if TYPE_CHECKING:
-    from . import adapters as adapters
     from . import testing as testing
     from . import tiles as tiles
 
@@ -65,6 +65,7 @@ __all__ = [
     "Side",
     "Violation",
     "__version__",
+    "adapters",
     "audit",
     "audit_faces",
     "clean",
@@ -75,7 +76,7 @@ __all__ = [
     "validate",
 ]
 
-_MODULES = ("adapters", "testing", "tiles")
+_MODULES = ("testing", "tiles")
 
 
 def __getattr__(name: str) -> Any:

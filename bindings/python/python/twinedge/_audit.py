@@ -3,42 +3,24 @@
 from __future__ import annotations
 
 import json
-import math
 import os
 import sys
 from collections.abc import Iterable, Sequence
 from pathlib import Path
-from typing import Any, TypedDict
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _twinedge
 from ._names import Names, Sides
+from ._options import _MOST, _accepted, _asked, _cell, _count, _limits, _number, _refuse, _refuse_masked
 from ._report import Report
-from ._validate import _MOST, _asked, _count, _number, _refuse_masked
 
 #: The most findings that the small picture of a report marks.
 _DRAWN_FINDINGS = 300
 
 _MESHES = {".obj", ".off", ".ply", ".stl"}
-
-
-class AuditOptions(TypedDict, total=False):
-    """The options of :func:`twinedge.audit` for maps, which :func:`twinedge.expect` takes as well."""
-
-    format: str | None
-    gap_width: float | None
-    lake_width: float | None
-    accept_gaps: Iterable[Sequence[float]] | None
-    sliver_area: float | None
-    snap: float | str | None
-    edges: str | None
-    name: str | None
-    layer_name: str | None
-    accept: Any
-    timeout: float | None
-    list: int | None
 
 
 def _offsets(lengths: Iterable[int]) -> npt.NDArray[np.uint32]:
@@ -441,57 +423,3 @@ def _faces_of(mesh: Any) -> tuple[Any, int] | None:
 def _corner_count(kind: str) -> int | None:
     """The number of corners of a face of meshio, whose further nodes lie on its sides and inside."""
     return 3 if kind.startswith("triangle") else 4 if kind.startswith("quad") else None
-
-
-def _limits(
-    gap_width: float | None = None,
-    lake_width: float | None = None,
-    accept_gaps: Iterable[Sequence[float]] | None = None,
-    sliver_area: float | None = None,
-) -> dict[str, Any]:
-    return {
-        "gap_width": _number("gap_width", gap_width),
-        "lake_width": _number("lake_width", lake_width),
-        "accepted_gaps": _points("accept_gaps", accept_gaps),
-        "sliver_area": _number("sliver_area", sliver_area),
-    }
-
-
-def _accepted(accept: Any) -> str | None:
-    """A list of accepted findings as JSON."""
-    if accept is None:
-        return None
-    if isinstance(accept, (str, os.PathLike)):
-        return Path(accept).read_text(encoding="utf-8")
-    return json.dumps(accept)
-
-
-def _points(name: str, points: Iterable[Sequence[float]] | None) -> list[tuple[float, float]]:
-    try:
-        found = [(float(x), float(y)) for x, y in (() if points is None else points)]
-    except TypeError as error:
-        raise TypeError(f"{name}: expected points (x, y): {error}") from None
-    except ValueError as error:
-        raise ValueError(f"{name}: expected points (x, y): {error}") from None
-    if not all(math.isfinite(number) for point in found for number in point):
-        raise ValueError(f"{name}: a coordinate is not finite")
-    return found
-
-
-def _cell(snap: Any) -> float | None:
-    """The size of a cell, 0 for one that is to be chosen."""
-    if snap is None or isinstance(snap, str):
-        if snap not in (None, "auto"):
-            raise ValueError(f"snap: {snap!r} is neither 'auto' nor a positive number")
-        return None if snap is None else 0.0
-    size = _number("snap", snap)
-    if not size:
-        raise ValueError(f"snap: {snap} is neither 'auto' nor a positive number")
-    return size
-
-
-def _refuse(what: str, **given: Any) -> None:
-    for name, value in given.items():
-        # Not 0, which is a width.
-        if value is not None and value is not False:
-            raise TypeError(f"{name}: this is for maps, and {what} is a mesh")

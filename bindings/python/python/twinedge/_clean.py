@@ -10,7 +10,8 @@ from typing import Any, NamedTuple, cast
 import numpy as np
 
 from . import _twinedge
-from ._audit import _cell, _input, _limits, _refused
+from ._audit import _input, _refused
+from ._options import _cell, _limits
 
 
 #: The number of changes, and of findings that are left, that ``repr`` shows.

@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import Any, NamedTuple, TypeVar
 
 from . import _twinedge
-from ._audit import _cell
 from ._map import Map, _multi
+from ._options import _cell
 
 _T = TypeVar("_T")
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from ._audit import AuditOptions, audit
+from ._audit import audit
+from ._options import AuditOptions
 from ._report import Finding, First, InvalidStructure, Report, Violation
 
 if TYPE_CHECKING:

@@ -9,8 +9,9 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from . import _twinedge
-from ._audit import _cell, _input, _labels, _source
+from ._audit import _input, _labels, _source
 from ._names import Names
+from ._options import _cell
 
 #: The length of the longer side of a picture in a notebook, in pixels.
 _IN_NOTEBOOK = 600

@@ -32,10 +32,11 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from ._audit import AuditOptions, audit, audit_faces
+from ._audit import audit, audit_faces
+from ._links import judge
 from ._names import Pairs
+from ._options import AuditOptions
 from ._report import Report
-from ._validate import validate
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -131,7 +132,7 @@ def networkx(embedding: Any, **expected: Any) -> Report:
     page of this module has an example.
     """
     columns = networkx_columns(embedding)
-    report = validate(**columns.links, vertices=len(columns.vertices), **{"plane": True, "simple": True} | expected)
+    report = judge(columns.links, {"plane": True, "simple": True} | expected, len(columns.vertices))
     return report._named({"vertex": columns.vertices, "half_edge": Pairs(columns.vertices, columns.half_edges)})
 
 
@@ -203,8 +204,7 @@ def compas(mesh: Any, **expected: Any) -> Report:
     True
     """
     columns = compas_columns(mesh)
-    asked = {"open": True, "simple": True} | expected
-    report = validate(**columns.links, vertices=len(mesh.vertex), faces=len(mesh.face), **asked)
+    report = judge(columns.links, {"open": True, "simple": True} | expected, len(mesh.vertex), len(mesh.face))
     pairs = Pairs(columns.vertices, columns.half_edges)
     return report._named({"vertex": columns.vertices, "half_edge": pairs, "face": [*mesh.face]})
 

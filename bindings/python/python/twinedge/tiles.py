@@ -42,11 +42,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _twinedge
-from ._audit import _accepted, _limits
 from ._columns import _batches, _by_tile, _column, _geometries, _numbers, _with_tiles, _wkb
 from ._map import _keeps
+from ._options import _accepted, _count, _limits
 from ._report import Report
-from ._validate import _count
 
 if TYPE_CHECKING:
     import pyarrow as pa
