@@ -193,6 +193,28 @@ impl Expectation {
         }
     }
 
+    /// Requests an optional rule by its word in the text of an expectation, such as `closed`, or `genus` with a number.
+    ///
+    /// ```
+    /// use twinedge::validate::Expectation;
+    /// let expectation = Expectation::surface().asking("closed", None)?.asking("genus", Some(1))?;
+    /// assert_eq!(expectation.to_string(), "surface asking closed genus 1");
+    /// # Ok::<(), twinedge::validate::ParseExpectationError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// If no rule has this word, if the rule requires a number and none is given, or if one is given and the rule takes none.
+    pub fn asking(self, word: &str, number: Option<usize>) -> Result<Self, ParseExpectationError> {
+        let found = ASKED.iter().find(|(_, name, _)| *name == word);
+        let (_, name, ask) = found.ok_or_else(|| ParseExpectationError::Rule { word: word.into() })?;
+        match (ask, number) {
+            (Ask::Plain(ask), None) => Ok(ask(self)),
+            (Ask::Number(ask), Some(number)) => Ok(ask(self, number)),
+            (Ask::Number(_), None) => Err(ParseExpectationError::Number { after: name }),
+            (Ask::Plain(_), Some(number)) => Err(ParseExpectationError::Rule { word: alloc::format!("{number}") }),
+        }
+    }
+
     /// Returns true if the rule is requested. A rule that is not [optional](Rule::is_optional) always is.
     ///
     /// ```
@@ -346,15 +368,11 @@ impl FromStr for Expectation {
             Some(word) => return Err(ParseExpectationError::Claim { word: word.into() }),
         }
         while let Some(word) = words.next() {
-            let found = ASKED.iter().find(|(_, name, _)| *name == word);
-            let (_, name, ask) = found.ok_or_else(|| ParseExpectationError::Rule { word: word.into() })?;
-            expectation = match ask {
-                Ask::Plain(ask) => ask(expectation),
-                Ask::Number(ask) => {
-                    let number = words.next().and_then(|number| number.parse().ok());
-                    ask(expectation, number.ok_or(ParseExpectationError::Number { after: name })?)
-                }
-            };
+            let number = words.peek().and_then(|number| number.parse().ok());
+            expectation = expectation.asking(word, number)?;
+            if number.is_some() {
+                words.next();
+            }
         }
         Ok(expectation)
     }
@@ -430,5 +448,7 @@ mod tests {
             assert_eq!(error.to_string(), told);
             assert_eq!(text.parse::<Expectation>(), Err(error), "{text}");
         }
+        let with_a_number = Expectation::surface().asking("closed", Some(1));
+        assert_eq!(with_a_number, Err(ParseExpectationError::Rule { word: "1".into() }));
     }
 }

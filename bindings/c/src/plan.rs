@@ -4,6 +4,7 @@ use crate::callbacks::{Callback, InnerOf, LinkOf};
 use crate::cells::{Cells, Width};
 use crate::failure::{Failure, Status};
 use crate::names::{Expect, Link, Record};
+use std::collections::BTreeMap;
 use twinedge::validate::{Collect, Expectation};
 use twinedge_columns::Preset;
 
@@ -13,32 +14,31 @@ pub(crate) struct Claims {
     preset: Option<Preset>,
     plane: bool,
     open: bool,
-    simple: bool,
-    closed: bool,
-    used: bool,
-    border_kept: bool,
-    sides: Option<usize>,
-    components: Option<usize>,
-    borders: Option<usize>,
-    genus: Option<usize>,
+    /// The optional rules, by their words, with their numbers.
+    asked: BTreeMap<&'static str, Option<usize>>,
     list: Option<usize>,
 }
 
 impl Claims {
-    pub(crate) const fn set(&mut self, what: Expect, number: usize) {
-        let flag = number != 0;
-        match what {
-            Expect::Plane => self.plane = flag,
-            Expect::Open => self.open = flag,
-            Expect::Simple => self.simple = flag,
-            Expect::Closed => self.closed = flag,
-            Expect::Used => self.used = flag,
-            Expect::BorderKept => self.border_kept = flag,
-            Expect::Sides => self.sides = Some(number),
-            Expect::Components => self.components = Some(number),
-            Expect::Borders => self.borders = Some(number),
-            Expect::Genus => self.genus = Some(number),
-            Expect::List => self.list = Some(number),
+    pub(crate) fn set(&mut self, what: Expect, number: usize) {
+        let is_asked = number != 0;
+        let (word, number) = match what {
+            Expect::Plane => return self.plane = is_asked,
+            Expect::Open => return self.open = is_asked,
+            Expect::List => return self.list = Some(number),
+            Expect::Simple => ("simple", None),
+            Expect::Closed => ("closed", None),
+            Expect::Used => ("no-unused-vertices", None),
+            Expect::BorderKept => ("border-kept", None),
+            Expect::Sides => ("sides", Some(number)),
+            Expect::Components => ("components", Some(number)),
+            Expect::Borders => ("borders", Some(number)),
+            Expect::Genus => ("genus", Some(number)),
+        };
+        if is_asked || number.is_some() {
+            self.asked.insert(word, number);
+        } else {
+            self.asked.remove(word);
         }
     }
 
@@ -66,26 +66,12 @@ impl Claims {
                 return Err(Failure::new(Status::Conflict, "plane: a preset says on which surface the structure lies"));
             }
         };
-        for (asked, ask) in [
-            (self.open, Expectation::open as fn(Expectation) -> Expectation),
-            (self.simple, Expectation::simple),
-            (self.closed, Expectation::closed),
-            (self.used, Expectation::no_unused_vertices),
-            (self.border_kept, Expectation::border_kept),
-        ] {
-            if asked {
-                expectation = ask(expectation);
-            }
+        if self.open {
+            expectation = expectation.open();
         }
-        for (number, ask) in [
-            (self.sides, Expectation::sides as fn(Expectation, usize) -> Expectation),
-            (self.components, Expectation::components),
-            (self.borders, Expectation::borders),
-            (self.genus, Expectation::genus),
-        ] {
-            if let Some(number) = number {
-                expectation = ask(expectation, number);
-            }
+        for (word, number) in &self.asked {
+            let asked = expectation.asking(word, *number);
+            expectation = asked.map_err(|error| Failure::new(Status::Unknown, error.to_string()))?;
         }
         Ok(expectation)
     }

@@ -97,7 +97,7 @@ pub(crate) fn audit(
     timeout: Option<f64>,
 ) -> PyResult<(Told, Option<Bound<'_, PyArray1<u32>>>)> {
     let mut options = map.options()?;
-    options.mesh = mesh.asking(HalfEdgeMesh::expectation());
+    options.mesh = mesh.asking(HalfEdgeMesh::expectation())?;
     options.map.allow_empty = source.is_in_memory();
     let (name, asked) = (source.name().to_owned(), options.clone());
     let start = Instant::now();
@@ -152,8 +152,8 @@ pub(crate) fn audit_faces(
     asked: Claims,
 ) -> PyResult<Told> {
     let (corners, offsets) = (corners.as_array().to_vec(), offsets.as_array().to_vec());
-    let options =
-        Options { list: Some(asked.list()), mesh: asked.asking(HalfEdgeMesh::expectation()), ..Options::default() };
+    let mesh = asked.asking(HalfEdgeMesh::expectation())?;
+    let options = Options { list: Some(asked.list()), mesh, ..Options::default() };
     let work = move || {
         // Only the number of the points counts here.
         let mesh = IndexedMesh::new(vec![[0.0; 3]; vertices], corners, offsets).map_err(Failure::value)?;

@@ -12,14 +12,8 @@ pub(crate) struct Claims {
     plane: bool,
     open: bool,
     preset: Option<String>,
-    sides: Option<usize>,
-    simple: bool,
-    closed: bool,
-    used: bool,
-    border_kept: bool,
-    components: Option<usize>,
-    borders: Option<usize>,
-    genus: Option<usize>,
+    /// The optional rules, by their words, with their numbers.
+    asked: Vec<(String, Option<usize>)>,
     list: usize,
 }
 
@@ -44,34 +38,13 @@ impl Claims {
                 })?
                 .expectation(),
         };
-        Ok(self.asking(base))
+        self.asking(base)
     }
 
     /// Returns the expectation, with the required rules.
-    pub(crate) fn asking(&self, mut expectation: Expectation) -> Expectation {
-        if self.open {
-            expectation = expectation.open();
-        }
-        for (asked, ask) in [
-            (self.simple, Expectation::simple as fn(Expectation) -> Expectation),
-            (self.closed, Expectation::closed),
-            (self.used, Expectation::no_unused_vertices),
-            (self.border_kept, Expectation::border_kept),
-        ] {
-            if asked {
-                expectation = ask(expectation);
-            }
-        }
-        for (number, ask) in [
-            (self.sides, Expectation::sides as fn(Expectation, usize) -> Expectation),
-            (self.components, Expectation::components),
-            (self.borders, Expectation::borders),
-            (self.genus, Expectation::genus),
-        ] {
-            if let Some(number) = number {
-                expectation = ask(expectation, number);
-            }
-        }
-        expectation
+    pub(crate) fn asking(&self, base: Expectation) -> PyResult<Expectation> {
+        let base = if self.open { base.open() } else { base };
+        let asked = self.asked.iter().try_fold(base, |expectation, (word, number)| expectation.asking(word, *number));
+        asked.map_err(|error| PyValueError::new_err(error.to_string()))
     }
 }

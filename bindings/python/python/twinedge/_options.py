@@ -82,18 +82,14 @@ def _asked(
         raise TypeError(f"preset: expected a name, one of {', '.join(_twinedge.PRESETS)}, not {type(preset).__name__}")
     if plane and preset is not None:
         raise ValueError("plane: a preset says on which surface the structure lies")
+    words = {"simple": simple, "closed": closed, "no-unused-vertices": used, "border-kept": border_kept}
+    counts = {"sides": sides, "components": components, "borders": borders, "genus": genus}
+    numbers = [(word, _count(word, number)) for word, number in counts.items() if number is not None]
     return {
         "plane": bool(plane),
         "open": bool(open),
         "preset": preset,
-        "sides": _count("sides", sides),
-        "simple": bool(simple),
-        "closed": bool(closed),
-        "used": bool(used),
-        "border_kept": bool(border_kept),
-        "components": _count("components", components),
-        "borders": _count("borders", borders),
-        "genus": _count("genus", genus),
+        "asked": [*((word, None) for word, is_asked in words.items() if is_asked), *numbers],
         "list": _twinedge.DEFAULT_LIST if list is None else _count("list", list),
     }
 

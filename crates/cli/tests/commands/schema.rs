@@ -46,7 +46,8 @@ fn all_formats_of_all_audits_have_what_the_page_promises() {
     };
     let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
     let tables = std::fs::read_to_string(format!("{root}/examples/tables/five_faces.txt")).unwrap();
-    let topojson = std::fs::read_to_string(format!("{root}/crates/layers/tests/layer/data/south-america.topojson")).unwrap();
+    let topojson =
+        std::fs::read_to_string(format!("{root}/crates/layers/tests/layer/data/south-america.topojson")).unwrap();
     let mut arcs: Value = serde_json::from_str(&topojson).unwrap();
     arcs["objects"]["countries"]["geometries"][0]["arcs"][0][0][0] = json!(36);
     let mut town = std::fs::read(format!("{root}/crates/postgis/tests/postgis/data/town.copy")).unwrap();
