@@ -93,6 +93,12 @@ fn every_link_leads_to_one_record() {
         for answer in [None, Some(0), Some(1), Some(999), Some(1000), Some(usize::MAX)] {
             for listed in [0, 3, usize::MAX] {
                 let view = Claims { slots: [1000; 4], answer, listed };
+                // No slot is vacant unless the view says so.
+                for (slot, is_live) in [(0, true), (999, true), (1000, false), (usize::MAX, false)] {
+                    let live =
+                        [view.is_vertex(slot), view.is_half_edge(slot), view.is_boundary(slot), view.is_face(slot)];
+                    assert_eq!(live, [is_live; 4]);
+                }
                 let report = validate(&Only::new(view, form.parts), &form.expectation, Collect::AtMost(0));
                 assert!(!report.is_valid());
                 assert!(report.violation_count() > 0);
