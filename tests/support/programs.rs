@@ -2,6 +2,7 @@
 
 use quickcheck::{Gen, QuickCheck, Testable};
 use twinedge::dcel::Dcel;
+use twinedge::program::choose::{Choose, Random};
 use twinedge::program::{Program, Runner};
 
 /// Tests a law on `tests` random arguments of up to `size` operators or entries.
@@ -33,4 +34,18 @@ pub(crate) fn noise(seed: u64) -> impl Iterator<Item = u8> {
 /// The program of this many pseudorandom bytes.
 pub(crate) fn random(seed: u64, bytes: usize) -> Program {
     Program::from_bytes(&noise(seed).take(bytes).collect::<Vec<_>>())
+}
+
+/// Other pseudorandom bytes, those of pinned programs.
+pub(crate) fn drawn(count: usize) -> Vec<u8> {
+    let mut random = Random::seeded(52);
+    (0..count).map(|_| random.choose(256) as u8).collect()
+}
+
+/// Asserts that a text has this checksum, by FNV-1a.
+#[track_caller]
+pub(crate) fn pinned(text: &str, expected: u64) {
+    let fnv = |sum: u64, byte: u8| (sum ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01B3);
+    let found = text.bytes().fold(0xCBF2_9CE4_8422_2325, fnv);
+    assert!(found == expected, "the checksum is {found:#018x}, of {} bytes: {:.300}", text.len(), text);
 }
