@@ -78,7 +78,9 @@ fn a_mesh_with_a_border_of_half_edges_without_face() {
 fn a_mesh_with_a_border_of_half_edges_without_twin() {
     let mut table = textbook_mesh(4, &TETRAHEDRON);
     let missing: Vec<usize> = (0..12).filter(|h| half_edge(&mut table, *h).face == Some(3)).collect();
-    missing.iter().for_each(|h| half_edge(&mut table, *h).face = None);
+    for h in &missing {
+        half_edge(&mut table, *h).face = None;
+    }
     table.faces[3] = None;
     let mut table = without_border(&table);
     let found = figures(&table, MESH.open());

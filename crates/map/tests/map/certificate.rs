@@ -381,7 +381,7 @@ fn a_half_edge_lies_on_the_other_side_of_its_twin() {
 #[test]
 fn the_outer_triangle_is_not_flat() {
     let table: Table = "V 0 H 0 B 0 F 1 - 0".parse().unwrap();
-    let map = Drawn::new(table, [Point::default(); 0]);
+    let map = Drawn::new(table, Vec::<Point>::new());
     let mut drawing = Drawing { points: vec![[0, 0]], ..Drawing::default() };
     let columns = [
         (Column::DartTwin, vec![0, 1, 2]),

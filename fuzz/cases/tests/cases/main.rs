@@ -42,7 +42,9 @@ fn input(source: &mut Unstructured<'_>, files: &[Vec<u8>]) -> arbitrary::Result<
 
 fn fuzz(target: &str, case: fn(&[u8])) {
     let files = corpus(target);
-    files.iter().for_each(|file| case(file));
+    for file in &files {
+        case(file);
+    }
     arbtest(|source| {
         case(&input(source, &files)?);
         Ok(())
