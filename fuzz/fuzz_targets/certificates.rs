@@ -1,4 +1,4 @@
-//! See `twinedge_fuzz::certificates`.
+//! See `twinedge_fuzz_cases::certificates`.
 #![no_main]
 
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| twinedge_fuzz::certificates(bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| twinedge_fuzz_cases::certificates(bytes));

@@ -1,4 +1,4 @@
-//! See `twinedge_fuzz::edits`.
+//! See `twinedge_fuzz_cases::edits`.
 #![no_main]
 
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| twinedge_fuzz::edits(bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| twinedge_fuzz_cases::edits(bytes));

@@ -1,4 +1,4 @@
-//! See `twinedge_fuzz::geojson`.
+//! See `twinedge_fuzz_cases::geojson`.
 #![no_main]
 
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| twinedge_fuzz::geojson(bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| twinedge_fuzz_cases::geojson(bytes));

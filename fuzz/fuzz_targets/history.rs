@@ -1,4 +1,4 @@
-//! See `twinedge_fuzz::history`.
+//! See `twinedge_fuzz_cases::history`.
 #![no_main]
 
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| twinedge_fuzz::history(bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| twinedge_fuzz_cases::history(bytes));

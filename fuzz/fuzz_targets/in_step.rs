@@ -1,4 +1,4 @@
-//! See `twinedge_fuzz::in_step`.
+//! See `twinedge_fuzz_cases::in_step`.
 #![no_main]
 
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| twinedge_fuzz::in_step(bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| twinedge_fuzz_cases::in_step(bytes));

@@ -1,4 +1,4 @@
-//! See `twinedge_fuzz::layer`.
+//! See `twinedge_fuzz_cases::layer`.
 #![no_main]
 
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| twinedge_fuzz::layer(bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| twinedge_fuzz_cases::layer(bytes));

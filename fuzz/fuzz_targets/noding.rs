@@ -1,4 +1,4 @@
-//! See `twinedge_fuzz::noding`.
+//! See `twinedge_fuzz_cases::noding`.
 #![no_main]
 
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| twinedge_fuzz::noding(bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| twinedge_fuzz_cases::noding(bytes));

@@ -1,4 +1,4 @@
-//! See `twinedge_fuzz::programs`.
+//! See `twinedge_fuzz_cases::programs`.
 #![no_main]
 
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| twinedge_fuzz::programs(bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| twinedge_fuzz_cases::programs(bytes));

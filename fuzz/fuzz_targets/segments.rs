@@ -1,4 +1,4 @@
-//! See `twinedge_fuzz::segments`.
+//! See `twinedge_fuzz_cases::segments`.
 #![no_main]
 
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| twinedge_fuzz::segments(bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| twinedge_fuzz_cases::segments(bytes));

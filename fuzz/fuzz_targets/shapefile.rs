@@ -1,4 +1,4 @@
-//! See `twinedge_fuzz::shapefile`.
+//! See `twinedge_fuzz_cases::shapefile`.
 #![no_main]
 
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| twinedge_fuzz::shapefile(bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| twinedge_fuzz_cases::shapefile(bytes));

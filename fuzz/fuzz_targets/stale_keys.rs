@@ -1,4 +1,4 @@
-//! See `twinedge_fuzz::stale_keys`.
+//! See `twinedge_fuzz_cases::stale_keys`.
 #![no_main]
 
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| twinedge_fuzz::stale_keys(bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| twinedge_fuzz_cases::stale_keys(bytes));

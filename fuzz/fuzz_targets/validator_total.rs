@@ -1,4 +1,4 @@
-//! See `twinedge_fuzz::validator_total`.
+//! See `twinedge_fuzz_cases::validator_total`.
 #![no_main]
 
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| twinedge_fuzz::validator_total(bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| twinedge_fuzz_cases::validator_total(bytes));

@@ -1,8 +1,9 @@
 //! Values that follow operators: none is lost or doubled, and each stays where it was.
 
 use crate::history::Recording;
+use crate::support::programs::check;
 use crate::support::tokens::{Handles, Mint, Mints, Tokens};
-use quickcheck::{Arbitrary, Gen, QuickCheck, Testable};
+use quickcheck::{Arbitrary, Gen};
 use std::collections::{BTreeMap, BTreeSet};
 use twinedge::dcel::{
     Attribute, Dcel, Edges, FaceKey, HalfEdgeKey, History, OperatorError, Outside, Policy, Quantity, Split, VertexKey,
@@ -10,10 +11,6 @@ use twinedge::dcel::{
 };
 use twinedge::program::{Program, Refusal, Runner, StepOutcome};
 use twinedge::validate::Expectation;
-
-fn check(tests: u64, size: usize, law: impl Testable) {
-    QuickCheck::new().rng(Gen::from_size_and_seed(size, 2026)).tests(tests).quickcheck(law);
-}
 
 /// The vertex of each corner's token, and the face of each half-edge's token.
 fn places(handles: Handles, dcel: &Dcel) -> (BTreeMap<u64, VertexKey>, BTreeMap<u64, FaceKey>) {

@@ -1,16 +1,11 @@
 //! Undo and redo: the structure, its keys, its bytes.
 
-use quickcheck::{Gen, QuickCheck, Testable};
+use crate::support::programs::check;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use twinedge::dcel::{Corner, Dcel, History, OperatorError, Split, VertexKey};
-use twinedge::program::{CallOf, HandleOf, Program, Refusal, Runner, StepOutcome, Subject, conformance};
-use twinedge::validate::{Expectation, Table, View};
+use twinedge::program::{CallOf, HandleOf, Program, Refusal, Runner, StepOutcome, Subject};
+use twinedge::validate::{Table, View};
 use twinedge::{delegate_subject, delegate_view};
-use twinedge_trials::Rewound;
-
-fn check(tests: u64, size: usize, law: impl Testable) {
-    QuickCheck::new().rng(Gen::from_size_and_seed(size, 2026)).tests(tests).quickcheck(law);
-}
 
 /// A history in which every operator is a change.
 #[derive(Clone, Debug)]
@@ -36,12 +31,6 @@ impl Subject for Recording {
 
 fn bytes(dcel: &Dcel) -> String {
     serde_json::to_string(dcel).unwrap()
-}
-
-#[test]
-fn random_programs_are_undone_and_redone_after_each_operator() {
-    let summary = conformance::check(Rewound::default, &Expectation::plane()).unwrap();
-    assert!(summary.of("contract_edge").unwrap().applied > 0);
 }
 
 #[test]

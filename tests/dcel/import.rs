@@ -2,30 +2,20 @@
 
 use crate::support::erased::validate;
 use crate::support::inconsistent::Inconsistent;
+use crate::support::programs::{built, check};
 use crate::support::tables::{
-    TEXTBOOK, Without, face, half_edge, map, textbook_map, textbook_mesh, vertex, with_boundary_components,
+    TEXTBOOK, Without, face, half_edge, map, textbook_map, textbook_mesh, with_boundary_components, without_border,
 };
-use quickcheck::{Gen, QuickCheck, Testable};
 use std::cell::Cell;
 use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use twinedge::dcel::{Dcel, ImportError, Keys, Outside};
 use twinedge::delegate_view;
+use twinedge::program::Program;
 use twinedge::program::canonical::isomorphic;
-use twinedge::program::{Program, Runner};
 use twinedge::validate::{Collect, Expectation, FaceRow, Part, Parts, Rule, Start, Table, VertexRow, View};
 use twinedge_trials::enumerate::for_each_corruption;
 use twinedge_trials::forms::{Form, projected};
-
-fn check(tests: u64, size: usize, law: impl Testable) {
-    QuickCheck::new().rng(Gen::from_size_and_seed(size, 2026)).tests(tests).quickcheck(law);
-}
-
-fn built(program: &Program) -> Dcel {
-    let mut runner = Runner::new(Dcel::new());
-    runner.run(program);
-    runner.into_subject()
-}
 
 const PLANE: Expectation = Expectation::plane();
 const MESH: Expectation = Expectation::surface();
@@ -339,17 +329,10 @@ fn two_triangles() -> Table {
 }
 
 /// Removes the half-edges that belong to no triangle.
-fn bordered(mut table: Table) -> Table {
-    for h in 0..table.half_edges.len() {
-        if table.half_edges[h].is_some_and(|row| row.face.is_none()) {
-            table.half_edges[h] = None;
-            half_edge(&mut table, h ^ 1).twin = None;
-        }
-    }
-    for v in 0..table.vertices.len() {
-        vertex(&mut table, v).leaving = None;
-    }
-    table.without(Part::Prev).without(Part::Leaving)
+fn bordered(table: Table) -> Table {
+    let mut table = without_border(&table).without(Part::Prev).without(Part::Leaving);
+    table.vertices.iter_mut().flatten().for_each(|row| row.leaving = None);
+    table
 }
 
 const OPEN: Expectation = MESH.open();
@@ -419,73 +402,49 @@ fn what_is_not_valid_is_refused_with_the_report() {
 }
 
 #[test]
-fn faces_are_needed() {
-    let table = textbook_mesh(4, &TETRAHEDRON);
-    let error = refusal(&table.without(Part::Faces), MESH, Outside::Face(0));
-    assert_eq!(error, ImportError::Lacks(Part::Faces));
-    assert_eq!(error.report(), None);
-    assert_eq!(error.to_string(), "a planar subdivision needs faces, which the structure does not store");
-}
-
-#[test]
-fn the_outside_must_suit_the_structure() {
+fn each_structure_that_does_not_suit_has_its_refusal() {
     let mesh = textbook_mesh(4, &TETRAHEDRON);
-    assert_eq!(refusal(&mesh, MESH, Outside::Given), ImportError::NoUnboundedFace);
-    assert_eq!(refusal(&mesh, MESH, Outside::Face(4)), ImportError::NoSuchFace(4));
-    assert_eq!(refusal(&mesh, MESH, Outside::Border), ImportError::NoBorder);
     let mut vacant = mesh.clone();
     vacant.faces.insert(0, None);
     for h in 0..12 {
         let row = half_edge(&mut vacant, h);
         row.face = row.face.map(|f| f + 1);
     }
-    assert_eq!(refusal(&vacant, MESH, Outside::Face(0)), ImportError::NoSuchFace(0));
     assert!(Dcel::from_view(&vacant, &MESH, Outside::Face(1)).is_ok());
     let plane = textbook_map(2, &[(0, 1), (1, 0)], &[(None, &[Start::HalfEdge(0)])]);
-    assert_eq!(refusal(&plane, PLANE, Outside::Face(0)), ImportError::SecondUnboundedFace);
-    assert_eq!(refusal(&plane, PLANE, Outside::Border), ImportError::SecondUnboundedFace);
-}
-
-#[test]
-fn a_torus_is_refused() {
     // One vertex, two loops, one face.
     let torus = textbook_map(1, &[(0, 2), (0, 3), (0, 1), (0, 0)], &[(Some(0), &[])]);
-    assert_eq!(refusal(&torus, MESH, Outside::Face(0)), ImportError::Genus(1));
-}
-
-#[test]
-fn two_closed_meshes_are_refused() {
     let twice: Vec<_> = TETRAHEDRON.iter().copied().chain(TETRAHEDRON.map(|t| t.map(|v| v + 4))).collect();
-    let table = textbook_mesh(8, &twice);
-    assert_eq!(refusal(&table, MESH, Outside::Face(0)), ImportError::Disconnected(2));
+    let twice = textbook_mesh(8, &twice);
+    // A ring of six triangles around a hole, and beside it a component without a border.
+    let ring = [[0, 1, 4], [0, 4, 3], [1, 2, 5], [1, 5, 4], [2, 0, 3], [2, 3, 5]];
+    let with_closed: Vec<_> = ring.into_iter().chain(TETRAHEDRON.map(|t| t.map(|v| v + 6))).collect();
+    let (ring, with_closed) = (bordered(textbook_mesh(6, &ring)), bordered(textbook_mesh(10, &with_closed)));
+    for (table, expectation, outside, expected) in [
+        (&mesh.without(Part::Faces), MESH, Outside::Face(0), ImportError::Lacks(Part::Faces)),
+        (&mesh, MESH, Outside::Given, ImportError::NoUnboundedFace),
+        (&mesh, MESH, Outside::Face(4), ImportError::NoSuchFace(4)),
+        (&mesh, MESH, Outside::Border, ImportError::NoBorder),
+        (&vacant, MESH, Outside::Face(0), ImportError::NoSuchFace(0)),
+        (&plane, PLANE, Outside::Face(0), ImportError::SecondUnboundedFace),
+        (&plane, PLANE, Outside::Border, ImportError::SecondUnboundedFace),
+        (&torus, MESH, Outside::Face(0), ImportError::Genus(1)),
+        (&twice, MESH, Outside::Face(0), ImportError::Disconnected(2)),
+        (&two_triangles(), OPEN, Outside::Face(0), ImportError::Border),
+        (&ring, OPEN, Outside::Border, ImportError::SeveralBorders { borders: 2, components: 1 }),
+    ] {
+        let error = refusal(table, expectation, outside);
+        assert_eq!((error.report(), &error), (None, &expected));
+    }
+    let told = ImportError::Lacks(Part::Faces).to_string();
+    assert_eq!(told, "a planar subdivision needs faces, which the structure does not store");
     // With lists of inner boundary components the validator finds the component that lies nowhere.
-    let error = refusal(&table.without(Part::UnboundedFace), PLANE, Outside::Face(0));
-    assert!(matches!(error, ImportError::NotPlane(_) | ImportError::Invalid(_)), "{error}");
-    assert_eq!(error.report().unwrap().first().unwrap().rule(), Rule::T1);
-}
-
-#[test]
-fn a_border_needs_a_face_beyond_it() {
-    assert_eq!(refusal(&two_triangles(), OPEN, Outside::Face(0)), ImportError::Border);
-}
-
-#[test]
-fn a_component_with_two_borders_is_refused() {
-    // A ring of six triangles around a hole.
-    let ring = [[0, 1, 4], [0, 4, 3], [1, 2, 5], [1, 5, 4], [2, 0, 3], [2, 3, 5]];
-    let table = bordered(textbook_mesh(6, &ring));
-    let error = refusal(&table, OPEN, Outside::Border);
-    assert_eq!(error, ImportError::SeveralBorders { borders: 2, components: 1 });
-}
-
-#[test]
-fn a_component_without_a_border_beside_one_with_two_is_refused() {
-    let ring = [[0, 1, 4], [0, 4, 3], [1, 2, 5], [1, 5, 4], [2, 0, 3], [2, 3, 5]];
-    let all: Vec<_> = ring.into_iter().chain(TETRAHEDRON.map(|t| t.map(|v| v + 6))).collect();
-    let table = bordered(textbook_mesh(10, &all));
-    let error = refusal(&table, OPEN, Outside::Border);
-    assert!(matches!(error, ImportError::NotPlane(_)), "{error}");
-    assert_eq!(error.report().unwrap().first().unwrap().rule(), Rule::T1);
+    let listed = twice.without(Part::UnboundedFace);
+    for (table, expectation, outside) in [(&listed, PLANE, Outside::Face(0)), (&with_closed, OPEN, Outside::Border)] {
+        let error = refusal(table, expectation, outside);
+        assert!(matches!(error, ImportError::NotPlane(_) | ImportError::Invalid(_)), "{error}");
+        assert_eq!(error.report().unwrap().first().unwrap().rule(), Rule::T1);
+    }
 }
 
 #[test]

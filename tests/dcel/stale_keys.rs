@@ -1,5 +1,5 @@
 //! Every function that takes a key refuses invalid keys (of removed records, of another structure, of nothing at all),
-//! and changes nothing.
+//! and changes nothing. Issued keys work as slotmap keys.
 
 use crate::support::tracked::{Keys, Tracked};
 use std::collections::BTreeSet;
@@ -69,12 +69,7 @@ fn keys_of_what_is_gone_are_refused_by_every_function() {
     t.remove_edge(sides[1]);
     t.remove(a);
     t.remove(b);
-    let bad = Keys {
-        vertices: gone.vertices.difference(&before.vertices).copied().collect(),
-        half_edges: gone.half_edges.difference(&before.half_edges).copied().collect(),
-        boundaries: gone.boundaries.difference(&before.boundaries).copied().collect(),
-        faces: gone.faces.difference(&before.faces).copied().collect(),
-    };
+    let bad = gone.without(&before);
     assert_eq!(Keys::of(&t.map), before);
     refused_by_every_function(&mut t, &before, &bad);
     // Nor if other records have taken their slots.
@@ -138,4 +133,52 @@ fn errors_name_the_keys() {
     let null = FaceKey::default();
     let error = map.add_isolated_vertex(null).unwrap_err();
     assert_eq!(error.to_string(), format!("{null:?} names no face of this structure (any more)"));
+}
+
+/// A key made of arbitrary bits names a record only if it is the record's key.
+#[test]
+fn only_keys_that_were_issued_are_accepted() {
+    let dcel = sample().map;
+    let Keys { vertices, half_edges, boundaries, faces } = Keys::of(&dcel);
+    let generation = slotmap::Key::data(half_edges.first().unwrap()).as_ffi() >> 32;
+    let slots = (0..300).chain([u64::from(u32::MAX) - 1, u64::from(u32::MAX)]);
+    let generations =
+        [generation, 1, generation.wrapping_add(2) & 0xFFFF_FFFF, generation ^ 0x8000_0000, 0, 0xFFFF_FFFF];
+    for bits in slots.flat_map(|slot| generations.map(|generation| generation << 32 | slot)) {
+        let data = slotmap::KeyData::from_ffi(bits);
+        assert_eq!(dcel.vertex(data.into()).is_ok(), vertices.contains(&data.into()), "{data:?}");
+        assert_eq!(dcel.half_edge(data.into()).is_ok(), half_edges.contains(&data.into()), "{data:?}");
+        assert_eq!(dcel.boundary(data.into()).is_ok(), boundaries.contains(&data.into()), "{data:?}");
+        assert_eq!(dcel.face(data.into()).is_ok(), faces.contains(&data.into()), "{data:?}");
+    }
+}
+
+/// Data stored by key is found, and iteration returns all of it.
+#[test]
+fn secondary_maps_take_the_keys() {
+    let Keys { vertices, half_edges, boundaries, faces } = Keys::of(&sample().map);
+    let of_vertices: slotmap::SecondaryMap<VertexKey, ()> = vertices.iter().map(|v| (*v, ())).collect();
+    let of_half_edges: slotmap::SecondaryMap<HalfEdgeKey, ()> = half_edges.iter().map(|h| (*h, ())).collect();
+    let of_boundaries: slotmap::SecondaryMap<BoundaryKey, ()> = boundaries.iter().map(|b| (*b, ())).collect();
+    let of_faces: slotmap::SecondaryMap<FaceKey, ()> = faces.iter().map(|f| (*f, ())).collect();
+    assert_eq!(of_vertices.keys().collect::<BTreeSet<_>>(), vertices);
+    assert_eq!(of_half_edges.keys().collect::<BTreeSet<_>>(), half_edges);
+    assert_eq!(of_boundaries.keys().collect::<BTreeSet<_>>(), boundaries);
+    assert_eq!(of_faces.keys().collect::<BTreeSet<_>>(), faces);
+}
+
+#[test]
+fn slots_are_used_again() {
+    let mut t = sample();
+    let outside = t.outside();
+    let slots = |map: &Dcel| [map.vertex_slots(), map.half_edge_slots(), map.boundary_slots(), map.face_slots()];
+    let mut after = vec![];
+    for _ in 0..50 {
+        let v = t.add(outside).vertex;
+        let h = t.connect(v, v, LEFT).half_edge;
+        t.remove_edge(h);
+        t.remove(v);
+        after.push(slots(&t.map));
+    }
+    assert!(after.iter().all(|slots| *slots == after[0]));
 }

@@ -1,65 +1,15 @@
 //! The textbooks' maps, drawn edge by edge with the operators: equal to the tables entered by hand, row by row, and so
-//! isomorphic to them. `tests/validate/textbook_tables.rs` has the printed tables and drawings.
+//! isomorphic to them. `tests/support/textbook.rs` has the printed tables and drawings.
 
-use crate::support::tables::{ShortFace, map, textbook_map};
+use crate::support::programs::{built, program};
+use crate::support::tables::with_boundary_components;
+use crate::support::textbook::{DANGLING, FIVE_FACES};
 use twinedge::dcel::{Dcel, FaceKey, HalfEdgeKey, Side, Split, VertexKey};
 use twinedge::program::canonical::{Canonizer, isomorphic};
-use twinedge::program::{Program, Runner};
-use twinedge::validate::{Start, Table, View};
+use twinedge::validate::{Table, View};
 
 const LEFT: Split<'_> = Split { new_face: Side::Left, inner: &[] };
 const RIGHT: Split<'_> = Split { new_face: Side::Right, inner: &[] };
-
-/// A table in short: origin and next of e1,1, e1,2, e2,1, …, and for each face a half-edge of its outer boundary
-/// component and of each inner one, counted from 0.
-struct Golden {
-    vertices: usize,
-    half_edges: &'static [(usize, usize)],
-    faces: &'static [ShortFace<'static>],
-}
-
-/// The map with a dangling edge (CS60064, lecture 12; de Berg et al.).
-const DANGLING: Golden = Golden {
-    vertices: 4,
-    half_edges: &[(0, 7), (1, 5), (2, 3), (3, 4), (2, 0), (0, 6), (2, 1), (1, 2)],
-    faces: &[(None, &[Start::HalfEdge(0)]), (Some(6), &[])],
-};
-
-/// The map of five faces.
-const FIVE_FACES: Golden = Golden {
-    vertices: 6,
-    half_edges: &[
-        (2, 2),
-        (0, 13),
-        (0, 4),
-        (1, 1),
-        (1, 0),
-        (2, 6),
-        (1, 8),
-        (3, 3),
-        (3, 5),
-        (2, 10),
-        (3, 12),
-        (5, 14),
-        (5, 9),
-        (2, 17),
-        (3, 16),
-        (4, 7),
-        (4, 11),
-        (5, 15),
-    ],
-    faces: &[(Some(0), &[]), (Some(8), &[]), (Some(9), &[]), (Some(14), &[]), (None, &[Start::HalfEdge(17)])],
-};
-
-impl Golden {
-    fn table(&self) -> Table {
-        map(self.vertices, self.half_edges, self.faces)
-    }
-
-    fn textbook(&self) -> Table {
-        textbook_map(self.vertices, self.half_edges, self.faces)
-    }
-}
 
 /// A map being drawn: vertices v1, v2, … in the unbounded face, and half-edges e1,1, e1,2, e2,1, …
 struct Embedding {
@@ -167,39 +117,27 @@ fn five_faces() -> (Embedding, [FaceKey; 5]) {
 }
 
 #[test]
-fn the_map_with_a_dangling_edge_is_built() {
-    let (drawing, faces) = dangling();
-    assert!(drawing.map.validate().is_valid());
-    drawing.assert_same(&faces, &DANGLING.textbook());
-    assert!(isomorphic(&drawing.map, &DANGLING.table()));
-    assert!(isomorphic(&drawing.map, &DANGLING.textbook()));
-}
-
-#[test]
-fn the_map_of_five_faces_is_built() {
-    let (drawing, faces) = five_faces();
-    assert!(drawing.map.validate().is_valid());
-    drawing.assert_same(&faces, &FIVE_FACES.textbook());
-    assert!(isomorphic(&drawing.map, &FIVE_FACES.table()));
-    assert!(isomorphic(&drawing.map, &FIVE_FACES.textbook()));
-}
-
-fn built(lines: &str) -> Dcel {
-    let program: Program = format!("twinedge program 1\n{lines}").parse().unwrap();
-    let mut runner = Runner::new(Dcel::new());
-    runner.run(&program);
-    runner.into_subject()
+fn the_maps_are_built() {
+    let ((first, first_faces), (second, second_faces)) = (dangling(), five_faces());
+    for (drawing, faces, textbook) in [(first, &first_faces[..], DANGLING), (second, &second_faces, FIVE_FACES)] {
+        assert!(drawing.map.validate().is_valid());
+        drawing.assert_same(faces, &textbook.table());
+        assert!(isomorphic(&drawing.map, &with_boundary_components(&textbook.table())));
+        assert!(isomorphic(&drawing.map, &textbook.table()));
+    }
 }
 
 #[test]
 fn other_ways_lead_to_the_same_maps() {
     // A loop with two more vertices on it, and a leaf outside.
-    let outside =
-        built("add_isolated_vertex unbounded\nconnect i0 i0 left\nsplit_edge h0\nsplit_edge h0\nsplit_vertex h1 h1");
+    let outside = built(&program(
+        "add_isolated_vertex unbounded\nconnect i0 i0 left\nsplit_edge h0\nsplit_edge h0\nsplit_vertex h1 h1",
+    ));
     assert!(isomorphic(&outside, &DANGLING.table()));
     // The leaf inside: the same map on the sphere, but a different one in the plane.
-    let inside =
-        built("add_isolated_vertex unbounded\nconnect i0 i0 left\nsplit_edge h0\nsplit_edge h0\nsplit_vertex h0 h0");
+    let inside = built(&program(
+        "add_isolated_vertex unbounded\nconnect i0 i0 left\nsplit_edge h0\nsplit_edge h0\nsplit_vertex h0 h0",
+    ));
     assert!(!isomorphic(&inside, &DANGLING.table()));
     let mut canonizer = Canonizer::new();
     assert_eq!(canonizer.unrooted(&inside), canonizer.unrooted(&DANGLING.table()));

@@ -1,14 +1,15 @@
 //! Canonical forms, compared with published counts of maps and with a search through all correspondences.
 
 use crate::support::erased::validate_plane;
+use crate::support::programs::noise;
+use crate::support::renumbered::renumbered;
+use crate::support::rotations::each_rotation_system;
 use crate::support::tables::TEXTBOOK;
 use std::collections::{BTreeMap, BTreeSet};
 use twinedge::dcel::{Dcel, HalfEdge, HalfEdgeKey, Side, Split};
 use twinedge::program::canonical::{Canonizer, Code, isomorphic};
 use twinedge::program::{FacePick, Op, Program, Runner};
-use twinedge::validate::{
-    BoundaryPlace, BoundaryRow, Expectation, FaceRow, HalfEdgeRow, Start, Table, VertexRow, View,
-};
+use twinedge::validate::{BoundaryPlace, Expectation, Start, Table, View};
 use twinedge_trials::forms::{Form, projected};
 
 /// All maps with one more edge, one of each isomorphism class: a leaf in every corner, an edge between any two corners
@@ -64,45 +65,6 @@ fn plane_maps_are_as_many_as_published() {
     assert_eq!(counts, [(1, 1), (2, 2), (4, 9), (14, 54), (57, 378), (312, 2916)]);
 }
 
-/// Every table with twins `2e, 2e + 1` and a permutation as `next`, with the resulting vertices.
-fn every_map(edges: usize, mut judge: impl FnMut(&Table)) {
-    let n = 2 * edges;
-    let mut next: Vec<usize> = (0..n).collect();
-    let mut counters = vec![0; n];
-    judge(&table_of(&next));
-    // Heap's algorithm.
-    let mut i = 0;
-    while i < n {
-        if counters[i] < i {
-            next.swap(if i % 2 == 0 { 0 } else { counters[i] }, i);
-            judge(&table_of(&next));
-            counters[i] += 1;
-            i = 0;
-        } else {
-            counters[i] = 0;
-            i += 1;
-        }
-    }
-}
-
-fn table_of(next: &[usize]) -> Table {
-    let mut origin = vec![None; next.len()];
-    let mut vertices = Vec::new();
-    for start in 0..next.len() {
-        if origin[start].is_none() {
-            let mut h = start;
-            while origin[h].is_none() {
-                origin[h] = Some(vertices.len());
-                h = next[h ^ 1];
-            }
-            vertices.push(Some(VertexRow { leaving: Some(start), isolated: None }));
-        }
-    }
-    let row =
-        |h: usize| HalfEdgeRow { origin: origin[h], twin: Some(h ^ 1), next: Some(next[h]), ..HalfEdgeRow::default() };
-    Table { vertices, half_edges: (0..next.len()).map(|h| Some(row(h))).collect(), ..Table::default() }
-}
-
 fn cycles(next: impl Fn(usize) -> usize, n: usize) -> usize {
     let mut seen = vec![false; n];
     let mut count = 0;
@@ -123,7 +85,7 @@ fn rooted_maps_of_every_genus_are_as_many_as_published() {
         let mut canonizer = Canonizer::new();
         let mut codes: BTreeMap<usize, BTreeSet<Code>> = BTreeMap::new();
         let mut rootings: BTreeMap<Code, usize> = BTreeMap::new();
-        every_map(edges, |table| {
+        each_rotation_system(edges, |table| {
             // Connected maps have a form without a root.
             if let Some(unrooted) = canonizer.unrooted(table) {
                 let next = |h: usize| table.next(h).unwrap();
@@ -189,15 +151,6 @@ fn keeps_faces(one: &Dcel, other: &Dcel, images: &BTreeMap<usize, usize>) -> boo
         && faces.iter().all(|(f, image)| isolated(one, *f) == isolated(other, *image))
 }
 
-/// Pseudorandom numbers, always the same.
-fn noise(seed: u64) -> impl Iterator<Item = u8> {
-    let mut state = seed;
-    std::iter::repeat_with(move || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 56) as u8
-    })
-}
-
 /// A small map, with nesting in about half of the cases.
 fn random_map(seed: u64) -> Dcel {
     let mut runner = Runner::new(Dcel::new());
@@ -253,62 +206,27 @@ fn forms_are_equal_exactly_where_some_correspondence_is_found() {
 
 /// An isomorphic table with its records in other slots, some vacant, with other starts and reversed lists.
 fn renamed(map: &Dcel, seed: u64) -> Table {
-    let table = Table::copy_of(map).expect("a small map fits");
+    let mut table = Table::copy_of(map).expect("a small map fits");
+    let next: Vec<_> = (0..table.half_edges.len()).map(|h| table.next(h)).collect();
+    for row in table.boundaries.iter_mut().flatten() {
+        if let Some(Start::HalfEdge(h)) = &mut row.start {
+            *h = next[*h].unwrap();
+        }
+    }
+    for row in table.faces.iter_mut().flatten() {
+        row.inner.reverse();
+        for (place, b) in row.inner.iter().enumerate() {
+            table.boundaries[b.unwrap()].as_mut().unwrap().place = Some(BoundaryPlace::Inner(place));
+        }
+    }
     let mut bytes = noise(seed);
     let mut shuffle = |n: usize| -> Vec<usize> {
         let mut slots: Vec<(u8, usize)> = bytes.by_ref().take(n + 2).zip(0..).collect();
         slots.sort_unstable();
         slots.into_iter().map(|(_, slot)| slot).collect()
     };
-    let (v, h) = (shuffle(table.vertices.len()), shuffle(table.half_edges.len()));
-    let (b, f) = (shuffle(table.boundaries.len()), shuffle(table.faces.len()));
-    let mut other = Table {
-        vertices: vec![None; v.len()],
-        half_edges: vec![None; h.len()],
-        boundaries: vec![None; b.len()],
-        faces: vec![None; f.len()],
-        ..Table::default()
-    };
-    for (i, row) in table.vertices.iter().enumerate() {
-        let rename =
-            |row: &VertexRow| VertexRow { leaving: row.leaving.map(|i| h[i]), isolated: row.isolated.map(|i| b[i]) };
-        other.vertices[v[i]] = row.as_ref().map(rename);
-    }
-    for (i, row) in table.half_edges.iter().enumerate() {
-        let rename = |row: &HalfEdgeRow| HalfEdgeRow {
-            origin: row.origin.map(|i| v[i]),
-            twin: row.twin.map(|i| h[i]),
-            next: row.next.map(|i| h[i]),
-            prev: row.prev.map(|i| h[i]),
-            boundary: row.boundary.map(|i| b[i]),
-            face: None,
-        };
-        other.half_edges[h[i]] = row.as_ref().map(rename);
-    }
-    for (i, row) in table.boundaries.iter().enumerate() {
-        let rename = |row: &BoundaryRow| BoundaryRow {
-            face: row.face.map(|i| f[i]),
-            start: row.start.map(|start| match start {
-                Start::HalfEdge(i) => Start::HalfEdge(h[table.next(i).unwrap()]),
-                Start::Vertex(i) => Start::Vertex(v[i]),
-            }),
-            place: row.place,
-        };
-        other.boundaries[b[i]] = row.as_ref().map(rename);
-    }
-    for (i, row) in table.faces.iter().enumerate() {
-        let rename = |row: &FaceRow| FaceRow {
-            outer: row.outer.map(|i| b[i]),
-            inner: row.inner.iter().rev().map(|link| link.map(|i| b[i])).collect(),
-            ..FaceRow::default()
-        };
-        other.faces[f[i]] = row.as_ref().map(rename);
-        let inner: Vec<_> = row.iter().flat_map(|row| row.inner.iter().rev()).flatten().copied().collect();
-        for (place, i) in inner.into_iter().enumerate() {
-            other.boundaries[b[i]].as_mut().unwrap().place = Some(BoundaryPlace::Inner(place));
-        }
-    }
-    other
+    let counts = [table.vertices.len(), table.half_edges.len(), table.boundaries.len(), table.faces.len()];
+    renumbered(&table, &counts.map(&mut shuffle))
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! Kernels in step with the reference: correct ones pass, and each kind of difference is recognised.
 
+use crate::support::programs::{program, random};
 use std::cell::Cell;
 use std::rc::Rc;
 use twinedge::dcel::Dcel;
@@ -10,31 +11,6 @@ use twinedge::program::conformance::{
 use twinedge::program::*;
 use twinedge::validate::{Expectation, Link, Part, Parts, Rule, View};
 use twinedge_trials::RawPointers;
-
-/// Pseudorandom numbers, always the same.
-fn noise(seed: u64, count: usize) -> Vec<u8> {
-    let mut state = seed;
-    let mut step = || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 56) as u8
-    };
-    (0..count).map(|_| step()).collect()
-}
-
-#[test]
-fn the_models_and_the_structure_do_the_same() {
-    let mut sum = ConformanceSummary::default();
-    for seed in 0..50 {
-        let program = Program::from_bytes(&noise(seed, 600));
-        let summary = conformance::run(&program, RawPointers::new(), &Expectation::plane())
-            .unwrap_or_else(|failure| panic!("seed {seed}: {failure}"));
-        assert_eq!(conformance::run(&program, Dcel::new(), &Expectation::plane()), Ok(summary));
-        assert_eq!(summary.total().all(), program.0.len());
-        sum.add(&summary);
-    }
-    let total = sum.total();
-    assert!(total.applied > 2500 && total.refused > 500, "{sum}");
-}
 
 /// The fault of a subject.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -182,15 +158,11 @@ fn judge(program: &Program, fault: Fault) -> Result<ConformanceSummary, Failure>
 
 /// The first random program on which a subject with this fault fails, shrunk, with its failure.
 fn shrunk(fault: Fault) -> (Program, Failure) {
-    let mut programs = (0..200).map(|seed| Program::from_bytes(&noise(seed, 400)));
+    let mut programs = (0..200).map(|seed| random(seed, 400));
     let program = programs.find(|program| judge(program, fault).is_err()).expect("the fault is found");
     let program = shrink(&program, |program| judge(program, fault).is_err());
     let failure = judge(&program, fault).unwrap_err();
     (program, failure)
-}
-
-fn program(lines: &str) -> Program {
-    format!("twinedge program 1\n{lines}").parse().unwrap()
 }
 
 #[test]
@@ -346,7 +318,7 @@ fn a_structure_without_what_tells_maps_apart_is_refused_by_name() {
         "at the start: the structure is empty, and stores no faces; begin with one that is not"
     );
     let least = all.without(Part::Prev).without(Part::Leaving);
-    assert!(run(&Program::from_bytes(&noise(1, 300)), least, &plane).is_ok());
+    assert!(run(&random(1, 300), least, &plane).is_ok());
 }
 
 #[test]

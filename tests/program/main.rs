@@ -17,4 +17,3 @@ mod panics;
 mod partial;
 mod pinned;
 mod program;
-mod reported;

@@ -4,12 +4,12 @@ use crate::support::erased::validate;
 use crate::support::tables::torus;
 use std::cell::Cell;
 use std::rc::Rc;
-use twinedge::dcel::{Audited, Dcel};
+use twinedge::dcel::{Audited, Dcel, Room};
 use twinedge::program::conformance::{Conformance, Coverage, Difference, NotCompared, Question, check};
 use twinedge::program::*;
 use twinedge::validate::{Collect, Expectation, Link, Part, Parts, Table, View};
 use twinedge::{delegate_view, subject_by_index, view_answers};
-use twinedge_trials::RawPointers;
+use twinedge_trials::{RawPointers, ReportAudit, Rewound};
 
 #[allow(dead_code, unreachable_pub, reason = "an example has a main function of its own")]
 #[path = "../../examples/mesh_conformance.rs"]
@@ -253,13 +253,27 @@ fn meshes_on_every_surface_do_what_the_steps_do() {
     }
 }
 
+/// Conformance compares the map after each operator, also one that is refused, with that of the reference.
 #[test]
-fn the_models_and_the_structure_have_every_operator() {
-    let summary = check(RawPointers::new, &Expectation::plane()).unwrap();
-    assert_eq!(summary, check(Dcel::new, &Expectation::plane()).unwrap());
-    assert_eq!(summary, check(|| Audited::new(Dcel::new()).unwrap(), &Expectation::plane()).unwrap());
+fn the_models_and_the_structure_have_every_operator_and_do_the_same() {
+    let plane = Expectation::plane();
+    let summary = check(RawPointers::new, &plane).unwrap();
     assert!(summary.by_operator().all(|(_, counts)| counts.applied > 0), "{summary}");
-    check(PointerModel::new, &Expectation::plane()).unwrap();
+    let all = [
+        check(PointerModel::new, &plane),
+        check(Dcel::new, &plane),
+        check(|| Audited::new(Dcel::new()).unwrap(), &plane),
+        check(|| ReportAudit::new(Dcel::new()), &plane),
+        check(Rewound::default, &plane),
+    ];
+    for other in all {
+        assert_eq!(other.unwrap(), summary);
+    }
+    // With limits, some operators find no room.
+    let most = Room { vertices: 12, edges: 16, boundaries: 12, faces: 8 };
+    let crowded = Conformance::of(&plane).coverage(Coverage::SomeOperator);
+    let total = crowded.check(|| ReportAudit::new(Dcel::with_limits(most))).unwrap().total();
+    assert!(total.no_room > 0 && total.applied > 300, "{total:?}");
 }
 
 /// The runner's questions about an edge before its removal must not replace the operator.

@@ -1,27 +1,11 @@
 //! Bytes, text, saved form, candidates and outcomes of programs, pinned: corpora and regression tests keep their meaning.
 
+use crate::support::programs::{drawn, pinned};
 use arbitrary::{Arbitrary, Unstructured};
 use std::fmt::Write;
 use twinedge::program::choose::Random;
 use twinedge::program::*;
 use twinedge::validate::{Expectation, Table};
-
-/// Pseudorandom numbers, always the same.
-fn noise(count: usize) -> Vec<u8> {
-    let mut random = Random::seeded(52);
-    (0..count).map(|_| choose::Choose::choose(&mut random, 256) as u8).collect()
-}
-
-/// The checksum FNV-1a.
-fn checksum(text: &str) -> u64 {
-    text.bytes().fold(0xCBF2_9CE4_8422_2325, |sum, byte| (sum ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01B3))
-}
-
-#[track_caller]
-fn pinned(text: &str, expected: u64) {
-    let found = checksum(text);
-    assert!(found == expected, "the checksum is {found:#018x}, of {} bytes: {:.300}", text.len(), text);
-}
 
 fn all_of_meshes() -> Vec<OpKind> {
     OpKind::SHARES.iter().filter(|(_, share)| *share == 0).map(|(kind, _)| *kind).collect()
@@ -29,7 +13,7 @@ fn all_of_meshes() -> Vec<OpKind> {
 
 #[test]
 fn bytes_are_the_programs_that_they_were() {
-    let bytes = noise(20_000);
+    let bytes = drawn(20_000);
     pinned(&Program::from_bytes(&bytes).to_string(), 0xDF9C_E363_C0B5_D4D6);
     pinned(&Program::generator().decode(&bytes).to_string(), 0xF1A2_36CA_6DEF_8589);
     pinned(&Program::generator().only(&all_of_meshes()).decode(&bytes).to_string(), 0x83AE_8D18_59D9_06DA);
@@ -45,7 +29,7 @@ fn random_programs_are_those_that_they_were() {
 
 #[test]
 fn programs_are_saved_as_they_were() {
-    let program = Program::from_bytes(&noise(5_000));
+    let program = Program::from_bytes(&drawn(5_000));
     let json = serde_json::to_string(&program).unwrap();
     pinned(&json, 0x03DD_7C64_69D2_828C);
     assert_eq!(serde_json::from_str::<Program>(&json).unwrap(), program);
@@ -76,6 +60,6 @@ fn operators_choose_and_do_what_they_did() {
 #[test]
 fn candidates_are_those_that_they_were() {
     let text = |all: Vec<String>| all.concat();
-    let program = Program::from_bytes(&noise(150));
+    let program = Program::from_bytes(&drawn(150));
     pinned(&text(candidates(&program).map(|smaller| smaller.to_string()).collect()), 0x25BD_5B1E_7A7E_2ED6);
 }

@@ -1,21 +1,12 @@
 //! The language of programs: its text, its Rust source, and its interpretation.
 
+use crate::support::programs::{noise, random};
 use arbitrary::{Arbitrary, Unstructured};
 use quickcheck::Gen;
 use twinedge::dcel::Dcel;
 use twinedge::program::*;
 use twinedge::validate::Table;
 use twinedge_trials::RawPointers;
-
-/// Pseudorandom numbers, always the same.
-fn noise(seed: u64, count: usize) -> Vec<u8> {
-    let mut state = seed;
-    let mut step = || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 56) as u8
-    };
-    (0..count).map(|_| step()).collect()
-}
 
 /// One operator of each kind, with picks of each kind.
 fn sampler() -> Program {
@@ -82,7 +73,7 @@ fn text_may_have_comments_blanks_and_any_line_ends() {
 #[test]
 fn random_programs_come_back_from_their_text() {
     for seed in 0..200 {
-        let program = Program::from_bytes(&noise(seed, 200));
+        let program = random(seed, 200);
         assert!(program.0.len() > 12);
         assert_eq!(program.to_string().parse(), Ok(program));
     }
@@ -268,7 +259,7 @@ fn inner_boundary_components_are_counted_as_their_first_corners_were_made() {
 #[test]
 fn a_fuzzer_gets_the_program_that_its_bytes_are() {
     for seed in 0..50 {
-        let bytes = noise(seed, 100);
+        let bytes: Vec<u8> = noise(seed).take(100).collect();
         let program = Program::from_bytes(&bytes);
         assert_eq!(<Program as Arbitrary>::arbitrary_take_rest(Unstructured::new(&bytes)), Ok(program.clone()));
         assert_eq!(<Op as Arbitrary>::arbitrary(&mut Unstructured::new(&bytes)), Ok(program.0[0]));
@@ -311,7 +302,7 @@ fn shrinking_goes_on_until_nothing_more_can_be_left_out() {
     };
     let mut lengths = Vec::new();
     for seed in 0..20 {
-        let program = Program::from_bytes(&noise(seed, 800));
+        let program = random(seed, 800);
         if has_hole(&program) {
             let small = shrink(&program, has_hole);
             assert!(has_hole(&small));

@@ -3,7 +3,7 @@
 use crate::support::erased::validate;
 use std::fmt::Debug;
 use twinedge::validate::reference::{Disagreement, compare, compare_first};
-use twinedge::validate::{Collect, Expectation, Report, Rule, View};
+use twinedge::validate::{Collect, Expectation, Report, Rule, Table, View, Violation};
 
 /// The rules broken according to the report.
 pub(crate) fn broken(report: &Report) -> Vec<Rule> {
@@ -29,4 +29,15 @@ pub(crate) fn agree<V: View + Debug>(view: &V, expectation: Expectation) -> Opti
 /// Asserts agreement on the first broken rule only, for very many structures.
 pub(crate) fn agree_on_first<V: View + Debug>(view: &V, expectation: Expectation) -> Option<Rule> {
     agreed(compare_first::<dyn View>(view, &expectation), view, expectation)
+}
+
+/// Asserts that these are all violations, of one rule, that the first of them is found first, and that the reference also
+/// finds this rule first.
+#[track_caller]
+pub(crate) fn only(rule: Rule, table: &Table, expectation: Expectation, violations: &[Violation]) {
+    let report = validate(table, &expectation, Collect::All);
+    assert_eq!(report.violations(), violations, "{report}");
+    assert_eq!(broken(&report), [rule], "{report}");
+    assert_eq!(agree(table, expectation), Some(rule));
+    assert_eq!(validate(table, &expectation, Collect::First).violations(), &violations[..1]);
 }

@@ -53,6 +53,16 @@ pub(crate) fn textbook_map(vertices: usize, half_edges: &[(usize, usize)], faces
     table
 }
 
+/// Two edges between two vertices: half-edges 0 and 3 around the inside, 1 and 2 around the outside.
+pub(crate) fn digon() -> Table {
+    map(2, &[(0, 3), (1, 2), (0, 1), (1, 0)], &[(None, &[Start::HalfEdge(1)]), (Some(0), &[])])
+}
+
+/// One edge from a vertex to itself.
+pub(crate) fn one_loop() -> Table {
+    map(1, &[(0, 0), (0, 1)], &[(None, &[Start::HalfEdge(1)]), (Some(0), &[])])
+}
+
 /// The triangles of a tetrahedron.
 pub(crate) const TETRAHEDRON: [[usize; 3]; 4] = [[0, 1, 2], [0, 3, 1], [1, 3, 2], [0, 2, 3]];
 
@@ -145,6 +155,25 @@ fn cycle(table: &Table, start: Start) -> Vec<usize> {
         h = table.half_edges[h].unwrap().next.unwrap();
     }
     cycle
+}
+
+/// The mesh without its half-edges that name no face. A vertex keeps its first half-edge.
+pub(crate) fn without_border(whole: &Table) -> Table {
+    let mut table = whole.clone();
+    for h in 0..table.half_edges.len() {
+        if let Some(HalfEdgeRow { face: None, twin, .. }) = whole.half_edges[h] {
+            table.half_edges[h] = None;
+            if let Some(Some(row)) = twin.and_then(|twin| table.half_edges.get_mut(twin)) {
+                row.twin = None;
+            }
+        }
+    }
+    for v in 0..table.vertices.len() {
+        let leaves = |h: &usize| table.half_edges[*h].is_some_and(|row| row.origin == Some(v));
+        let leaving = (0..table.half_edges.len()).find(leaves);
+        vertex(&mut table, v).leaving = leaving;
+    }
+    table
 }
 
 /// The row of a half-edge, for changing it.

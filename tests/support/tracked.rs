@@ -45,6 +45,23 @@ impl Keys {
             && self.faces.iter().all(|k| map.face(*k).is_err())
     }
 
+    /// The keys that are not among the others.
+    pub(crate) fn without(&self, others: &Self) -> Self {
+        Self {
+            vertices: &self.vertices - &others.vertices,
+            half_edges: &self.half_edges - &others.half_edges,
+            boundaries: &self.boundaries - &others.boundaries,
+            faces: &self.faces - &others.faces,
+        }
+    }
+
+    pub(crate) fn add(&mut self, others: &Self) {
+        self.vertices.extend(&others.vertices);
+        self.half_edges.extend(&others.half_edges);
+        self.boundaries.extend(&others.boundaries);
+        self.faces.extend(&others.faces);
+    }
+
     fn edge(mut self, map: &Dcel, h: HalfEdgeKey) -> Self {
         self.half_edges.extend([h, map.half_edge(h).unwrap().twin().key()]);
         self

@@ -4,6 +4,7 @@ use crate::support::erased::validate;
 use crate::support::opinions::agree;
 use crate::support::tables::{
     TETRAHEDRON, TEXTBOOK, Without, boundary, face, half_edge, k7, map, textbook_map, textbook_mesh, vertex,
+    without_border,
 };
 use twinedge::validate::{
     BoundaryPlace, Collect, Expectation, FaceRow, Field, Figures, HalfEdgeRow, Part, Parts, Record, Rule, Start, Table,
@@ -78,14 +79,10 @@ fn a_mesh_with_a_border_of_half_edges_without_twin() {
     let mut table = textbook_mesh(4, &TETRAHEDRON);
     let missing: Vec<usize> = (0..12).filter(|h| half_edge(&mut table, *h).face == Some(3)).collect();
     for h in &missing {
-        table.half_edges[*h] = None;
-        half_edge(&mut table, h ^ 1).twin = None;
+        half_edge(&mut table, *h).face = None;
     }
     table.faces[3] = None;
-    for v in 0..4 {
-        let origin = |h: &usize| table.half_edges[*h].is_some_and(|row| row.origin == Some(v));
-        vertex(&mut table, v).leaving = (0..12).find(origin);
-    }
+    let mut table = without_border(&table);
     let found = figures(&table, MESH.open());
     assert_eq!((found.vertices, found.edges, found.faces, found.cycles, found.borders), (4, 6, 3, 3, 1));
     let nil = |h: usize| Violation::Nil { record: Record::HalfEdge(h), field: Field::Twin };
@@ -214,19 +211,9 @@ fn an_open_outside_and_holes_inside() {
 #[test]
 fn an_outside_without_half_edges() {
     let mut table = textbook_mesh(4, &[[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]]);
-    for h in 0..12 {
-        if half_edge(&mut table, h).face >= Some(2) {
-            table.half_edges[h] = None;
-            if let Some(twin) = table.half_edges[h ^ 1].as_mut() {
-                twin.twin = None;
-            }
-        }
-    }
+    table.half_edges.iter_mut().flatten().filter(|row| row.face >= Some(2)).for_each(|row| row.face = None);
     table.faces.truncate(2);
-    for v in 0..4 {
-        let origin = |h: &usize| table.half_edges[*h].is_some_and(|row| row.origin == Some(v));
-        vertex(&mut table, v).leaving = (0..12).find(origin);
-    }
+    let table = without_border(&table);
     let found = figures(&table.without(Part::UnboundedFace), PLANE.open());
     assert_eq!((found.vertices, found.edges, found.faces, found.components), (4, 5, 2, 1));
     assert!(found.bounds.is_some(), "no two edges are parallel");
@@ -423,27 +410,4 @@ fn what_a_view_does_not_answer_is_not_there() {
     assert_eq!((Digon.boundary_face(0), Digon.boundary_start(0), Digon.boundary_place(0)), (None, None, None));
     assert_eq!((Digon.outer(0), Digon.inner_count(0), Digon.inner(0, 0)), (None, 0, None));
     assert_eq!((Digon.outer_half_edge(0), Digon.inner_start(0, 0)), (None, None));
-}
-
-/// No slot is vacant unless the view says so.
-#[test]
-fn every_slot_of_a_view_is_live_unless_it_says_otherwise() {
-    struct Slots;
-    impl View for Slots {
-        view_answers! { |_slots|
-            parts => Parts::ALL,
-            vertex_slots => 1,
-            half_edge_slots => 2,
-            boundary_slots => 3,
-            face_slots => 4,
-            origin(_h) => None,
-            twin(_h) => None,
-            next(_h) => None,
-        }
-    }
-    let live = |is_live: &dyn Fn(usize) -> bool| (0..10).filter(|i| is_live(*i)).count();
-    assert_eq!(live(&|i| Slots.is_vertex(i)), 1);
-    assert_eq!(live(&|i| Slots.is_half_edge(i)), 2);
-    assert_eq!(live(&|i| Slots.is_boundary(i)), 3);
-    assert_eq!(live(&|i| Slots.is_face(i)), 4);
 }

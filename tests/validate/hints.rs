@@ -45,25 +45,6 @@ fn a_sphere_that_passes_for_a_plane_is_said_to_be_one() {
 }
 
 #[test]
-fn what_has_no_face_is_not_said_to_be_a_sphere() {
-    let parts = textbook_mesh(4, &TETRAHEDRON).parts.without(Part::UnboundedFace);
-    let report = validate(&Table { parts, ..Table::default() }, &PLANE, Collect::All);
-    assert!(report.is_valid(), "{report}");
-    assert_eq!(hints(&report), [""; 0]);
-}
-
-#[test]
-fn the_first_links_of_a_column_that_are_nil_are_not_said_to_be_no_part() {
-    let mut table = textbook_mesh(4, &TETRAHEDRON);
-    for h in 0..2 {
-        half_edge(&mut table, h).prev = None;
-    }
-    let report = validate(&table, &MESH, Collect::All);
-    assert_eq!(report.violations().len() as u64, report.violation_count());
-    assert_eq!(hints(&report), [""; 0]);
-}
-
-#[test]
 fn rules_of_the_plane_are_not_said_to_need_others_on_a_surface() {
     struct TooMany;
     impl View for TooMany {
@@ -93,6 +74,22 @@ fn rules_of_the_plane_are_not_said_to_need_others_on_a_surface() {
             assert!(!report.to_string().contains(&format!("{rule} {}", rule.name())), "{report}");
         }
     }
+}
+
+/// Neither a structure without records, nor one in which the first links of a column are nil.
+#[test]
+fn what_is_not_missing_gets_no_hint() {
+    let mut table = textbook_mesh(4, &TETRAHEDRON);
+    let empty = Table { parts: table.parts.without(Part::UnboundedFace), ..Table::default() };
+    let report = validate(&empty, &PLANE, Collect::All);
+    assert!(report.is_valid(), "{report}");
+    assert_eq!(hints(&report), [""; 0]);
+    for h in 0..2 {
+        half_edge(&mut table, h).prev = None;
+    }
+    let report = validate(&table, &MESH, Collect::All);
+    assert_eq!(report.violations().len() as u64, report.violation_count());
+    assert_eq!(hints(&report), [""; 0]);
 }
 
 #[test]

@@ -10,7 +10,6 @@ mod adversarial_views;
 mod comparison;
 mod expectations;
 mod families;
-mod forms;
 mod hints;
 mod mesh_rules;
 mod names;

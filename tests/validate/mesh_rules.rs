@@ -2,9 +2,10 @@
 
 use crate::support::erased::validate;
 use crate::support::nested::{PLANE, nested, nested_textbook};
-use crate::support::opinions::{agree, agree_on_first, broken};
+use crate::support::opinions::{agree, agree_on_first, broken, only};
 use crate::support::tables::{
-    TETRAHEDRON, TEXTBOOK, Without, face, half_edge, map, textbook_map, vertex, with_boundary_components,
+    TETRAHEDRON, TEXTBOOK, Without, digon, face, half_edge, map, one_loop, textbook_map, vertex,
+    with_boundary_components,
 };
 use std::collections::HashMap;
 use twinedge::validate::{
@@ -181,16 +182,6 @@ fn both_ways_of_keeping_borders_in_one_mesh() {
     assert_eq!((found.cycles, found.borders, found.euler_characteristic), (8, 2, 0));
 }
 
-/// Asserts that these are all violations, of one rule, for both validators.
-#[track_caller]
-fn only(rule: Rule, table: &Table, expectation: Expectation, violations: &[Violation]) {
-    let report = validate(table, &expectation, Collect::All);
-    assert_eq!(report.violations(), violations, "{report}");
-    assert_eq!(broken(&report), [rule], "{report}");
-    assert_eq!(agree(table, expectation), Some(rule));
-    assert_eq!(validate(table, &expectation, Collect::First).violations(), &violations[..1]);
-}
-
 fn disc(border: Border) -> Table {
     let (vertices, squares) = grid([2, 1], [false, false], &[]);
     faces(vertices, &squares, border)
@@ -223,9 +214,8 @@ fn m1_a_vertex_is_unused() {
 fn m2_an_edge_is_a_loop_or_parallel_to_another() {
     // A loop in the plane, and two edges between two vertices.
     let plane = PLANE.simple();
-    let one_loop = map(1, &[(0, 0), (0, 1)], &[(None, &[Start::HalfEdge(1)]), (Some(0), &[])]);
-    only(Rule::M2, &one_loop, plane, &[Violation::LoopEdge { half_edge: 0, vertex: 0 }]);
-    let digon = map(2, &[(0, 2), (1, 3), (1, 0), (0, 1)], &[(None, &[Start::HalfEdge(1)]), (Some(0), &[])]);
+    only(Rule::M2, &one_loop(), plane, &[Violation::LoopEdge { half_edge: 0, vertex: 0 }]);
+    let digon = digon();
     let parallel = |first, second| Violation::ParallelEdges { first, second, vertices: [0, 1] };
     assert!(parallel(0, 2).message().contains("that both join vertices 0 and 1: "));
     only(Rule::M2, &digon, plane, &[parallel(0, 2)]);

@@ -3,6 +3,7 @@
 use crate::support::changes::{difference, note};
 use crate::support::erased::validate;
 use crate::support::only_live::OnlyLive;
+use crate::support::small::small_maps;
 use crate::support::watched::Watched;
 use twinedge::dcel::{Corner, Dcel, HalfEdge, Split};
 use twinedge::program::{StepOutcome, try_every_op};
@@ -33,8 +34,7 @@ fn judge(baseline: &Baseline, table: &Table, written: &WriteSet) -> bool {
 #[test]
 fn every_corruption_of_every_small_map_in_every_form() {
     let (mut judged, mut right) = (0, 0);
-    for map in Census::new(Scope::Subdivisions { edges: 2, vertices: 3 }) {
-        let whole = Table::copy_of(map.runner.subject()).unwrap();
+    for whole in small_maps(2, 3) {
         for form in forms() {
             let mut table = projected(&whole, &form);
             let Ok(baseline) = Baseline::new(&table, &form.expectation) else { continue };
@@ -54,8 +54,8 @@ fn every_pair_of_corruptions_of_every_smallest_map() {
     let (mut judged, mut right) = (0, 0);
     // Without faces, a rotation that falls in two breaks no other rule.
     for form in [Form::new(PLANE, Parts::ALL), Form::new(SURFACE, Parts::NONE)] {
-        for map in Census::new(Scope::Subdivisions { edges: 1, vertices: 3 }) {
-            let mut table = projected(&Table::copy_of(map.runner.subject()).unwrap(), &form);
+        for whole in small_maps(1, 3) {
+            let mut table = projected(&whole, &form);
             let baseline = Baseline::new(&table, &form.expectation).unwrap();
             for_each_corruption(&mut table, form.parts, |corrupt, first, _| {
                 let mut twice = corrupt.clone();
@@ -134,8 +134,7 @@ fn vertices_of_boundary_components_that_go_are_looked_at() {
 #[test]
 fn a_refused_change_leaves_the_baseline_as_it_was() {
     let mut refused = 0;
-    for map in Census::new(Scope::Subdivisions { edges: 2, vertices: 2 }) {
-        let mut table = Table::copy_of(map.runner.subject()).unwrap();
+    for mut table in small_maps(2, 2) {
         let before = table.clone();
         let mut baseline = Baseline::new(&table, &PLANE).unwrap();
         for_each_corruption(&mut table, Parts::ALL, |corrupt, cell, _| {
@@ -425,8 +424,7 @@ fn what_came_and_went_is_vacant() {
 /// are named.
 #[test]
 fn a_baseline_that_missed_something_ends() {
-    for map in Census::new(Scope::Subdivisions { edges: 2, vertices: 2 }) {
-        let mut table = Table::copy_of(map.runner.subject()).unwrap();
+    for mut table in small_maps(2, 2) {
         let right = Baseline::new(&table, &PLANE).unwrap();
         let everything = difference(&Table::default(), &table);
         let before = table.clone();

@@ -1,10 +1,10 @@
-//! Sets of parts: closed under dependencies, and other parts are ignored.
+//! Sets of parts: closed under dependencies, and other parts are ignored. The forms of structures are such sets.
 
 use crate::support::erased::validate;
+use crate::support::small::small_maps;
 use std::collections::BTreeSet;
-use twinedge::validate::{Collect, Only, Part, Parts, Table};
-use twinedge_trials::census::{Census, Scope};
-use twinedge_trials::forms::{forms, projected};
+use twinedge::validate::{Collect, Expectation, FaceRow, Only, Part, Parts, Table};
+use twinedge_trials::forms::{forms, projected, projections};
 
 /// The parts that this one depends on.
 fn needs(part: Part) -> &'static [Part] {
@@ -139,8 +139,7 @@ fn erased(table: &Table, parts: Parts) -> Table {
 fn what_is_not_looked_at_might_as_well_not_be_there() {
     let (mut right, mut wrong) = (0, 0);
     let sets = closed_sets();
-    for map in Census::new(Scope::Subdivisions { edges: 2, vertices: 3 }) {
-        let whole = Table::copy_of(map.runner.subject()).unwrap();
+    for whole in small_maps(2, 3) {
         for form in forms() {
             let table = projected(&whole, &form);
             for parts in &sets {
@@ -153,4 +152,46 @@ fn what_is_not_looked_at_might_as_well_not_be_there() {
         }
     }
     assert!(right > 10_000 && wrong > 10_000, "{right} {wrong}");
+}
+
+#[test]
+fn there_are_112_forms() {
+    let all = forms();
+    // The parts of the faces: none, or three ways to store boundary components, times three to store holes and the
+    // unbounded face; surfaces have neither. Then prev and leaving, and open boundaries.
+    let of_the_plane = 2 * 4 * (1 + 3 * 3);
+    let of_surfaces = 2 * 4 * (1 + 3);
+    assert_eq!(all.len(), of_the_plane + of_surfaces);
+    assert_eq!(all.len(), 112);
+    for (i, one) in all.iter().enumerate() {
+        assert!(!all[..i].contains(one), "{one:?} is there twice");
+    }
+    let surfaces = all.iter().filter(|one| one.expectation.surface_kind() == Expectation::surface().surface_kind());
+    assert_eq!(surfaces.count(), of_surfaces);
+}
+
+/// A part missing in a form is nil, so a validator that reads it would fail.
+#[test]
+fn what_is_left_out_is_nil() {
+    for table in small_maps(2, 3) {
+        for form in forms() {
+            for projection in projections(&table, &form) {
+                let lacks = |part| !form.parts.has(part);
+                assert_eq!(projection.parts, form.parts);
+                let half_edges = || projection.half_edges.iter().flatten();
+                let vertices = || projection.vertices.iter().flatten();
+                assert!(!lacks(Part::Prev) || half_edges().all(|row| row.prev.is_none()));
+                assert!(!lacks(Part::Leaving) || vertices().all(|row| row.leaving.is_none()));
+                assert!(!lacks(Part::Faces) || half_edges().all(|row| row.face.is_none()));
+                assert!(!lacks(Part::BoundaryComponents) || half_edges().all(|row| row.boundary.is_none()));
+                assert!(!lacks(Part::BoundaryComponents) || projection.boundaries.iter().flatten().count() == 0);
+                assert!(!lacks(Part::Places) || projection.boundaries.iter().flatten().all(|row| row.place.is_none()));
+                let faces = || projection.faces.iter().flatten();
+                assert!(!lacks(Part::Faces) || faces().count() == 0);
+                assert!(!lacks(Part::Holes) || faces().all(|row| row.inner.is_empty() && row.inner_starts.is_empty()));
+                let bounded = |row: &FaceRow| row.outer.is_some() || row.outer_half_edge.is_some();
+                assert!(!lacks(Part::UnboundedFace) || faces().all(bounded));
+            }
+        }
+    }
 }

@@ -73,43 +73,38 @@ fn refused(change: impl FnOnce(&mut Value)) -> String {
 }
 
 #[test]
-fn a_report_with_rules_out_of_order_is_refused() {
-    let error = refused(|report| report["rules"].as_array_mut().unwrap().swap(0, 1));
-    assert_eq!(error, "the outcome of R1 is not in the order of the rules");
-}
-
-#[test]
-fn a_report_with_violations_out_of_order_is_refused() {
-    let error = refused(|report| {
+fn a_report_that_contradicts_itself_is_refused() {
+    type Change = fn(&mut Value);
+    let second_cycle = |report: &mut Value| {
         report["rules"][6]["violations"] = json!(1);
         let other =
             json!({ "rule": "B1", "kind": "second_cycle", "fields": { "boundary": 0, "cycle": 1, "half_edges": 2 } });
         report["violations"].as_array_mut().unwrap().insert(0, other);
-    });
-    assert_eq!(error, "a violation of L1 is not in the order of the rules");
-}
-
-#[test]
-fn a_report_that_contradicts_itself_is_refused() {
-    assert_eq!(refused(|report| report["valid"] = json!(true)), "`valid` contradicts the outcomes of the rules");
-    assert_eq!(
-        refused(|report| report["schema"] = json!("twinedge-report/2")),
-        "expected the schema twinedge-report/1"
-    );
-    let error = refused(|report| report["violations"][0]["rule"] = json!("L2"));
-    assert_eq!(error, "a violation of L1 names another rule");
-}
-
-#[test]
-fn a_report_with_violations_that_are_not_counted_is_refused() {
-    let error = refused(|report| report["rules"][1]["violations"] = json!(1));
-    assert_eq!(error, "more violations of L1 than its outcome counts");
-}
-
-#[test]
-fn a_report_that_blames_a_rule_that_holds_is_refused() {
-    let error = refused(|report| report["rules"][13]["unchecked"] = json!({ "broken": "V1" }));
-    assert_eq!(error, "a rule was not checked because V1 is broken, which it is not");
+    };
+    let too_many = |report: &mut Value| {
+        for rule in [1, 2] {
+            report["rules"][rule]["violations"] = json!(u64::MAX);
+        }
+    };
+    let cases: [(Change, &str); 8] = [
+        (
+            |report| report["rules"].as_array_mut().unwrap().swap(0, 1),
+            "the outcome of R1 is not in the order of the rules",
+        ),
+        (second_cycle, "a violation of L1 is not in the order of the rules"),
+        (|report| report["valid"] = json!(true), "`valid` contradicts the outcomes of the rules"),
+        (|report| report["schema"] = json!("twinedge-report/2"), "expected the schema twinedge-report/1"),
+        (|report| report["violations"][0]["rule"] = json!("L2"), "a violation of L1 names another rule"),
+        (|report| report["rules"][1]["violations"] = json!(1), "more violations of L1 than its outcome counts"),
+        (
+            |report| report["rules"][13]["unchecked"] = json!({ "broken": "V1" }),
+            "a rule was not checked because V1 is broken, which it is not",
+        ),
+        (too_many, "the numbers of violations add up to more than can be counted"),
+    ];
+    for (change, expected) in cases {
+        assert_eq!(refused(change), expected);
+    }
 }
 
 /// Changes the report of the nested triangles, which is valid, and returns the refusal.
@@ -117,16 +112,6 @@ fn refused_though_valid(change: impl FnOnce(&mut Value)) -> String {
     let mut value = to_value(validate(&nested(), &PLANE, Collect::All)).unwrap();
     change(&mut value);
     from_value::<Report>(value).unwrap_err().to_string()
-}
-
-#[test]
-fn numbers_of_violations_that_overflow_are_refused() {
-    let error = refused(|report| {
-        for rule in [1, 2] {
-            report["rules"][rule]["violations"] = json!(u64::MAX);
-        }
-    });
-    assert_eq!(error, "the numbers of violations add up to more than can be counted");
 }
 
 #[test]
@@ -141,43 +126,38 @@ fn a_report_without_a_rule_is_refused() {
 
 #[test]
 fn a_valid_report_with_impossible_counts_is_refused() {
-    for (count, value) in [
-        ("isolated_vertices", 8),
-        ("components", 99),
-        ("edges", 99),
-        ("half_edges", 99),
-        ("half_edges", 0),
-        ("cycles", 99),
-        ("cycles", usize::MAX),
+    const EULER: &str = "every rule holds, but the counts break Euler's formula";
+    const CONTRADICT: &str = "the counts contradict each other";
+    let huge = usize::MAX;
+    for (expected, count, values) in [
+        (CONTRADICT, "isolated_vertices", &[8][..]),
+        (CONTRADICT, "components", &[99]),
+        (CONTRADICT, "edges", &[99]),
+        (CONTRADICT, "half_edges", &[99, 0]),
+        (CONTRADICT, "cycles", &[99, huge]),
+        (EULER, "vertices", &[8, huge]),
+        (EULER, "edges", &[7]),
+        (EULER, "components", &[2]),
+        (EULER, "cycles", &[3]),
+        (EULER, "borders", &[1, huge]),
+        (EULER, "isolated_vertices", &[0]),
+        (EULER, "genus", &[1, huge]),
     ] {
-        let error = refused_though_valid(|report| report["counts"][count] = json!(value));
-        assert_eq!(error, "the counts contradict each other", "{count} {value}");
-    }
-}
-
-#[test]
-fn a_valid_report_that_breaks_the_formula_of_euler_is_refused() {
-    let expected = "every rule holds, but the counts break Euler's formula";
-    for (count, value) in [
-        ("vertices", 8),
-        ("vertices", usize::MAX),
-        ("edges", 7),
-        ("components", 2),
-        ("cycles", 3),
-        ("borders", 1),
-        ("borders", usize::MAX),
-        ("isolated_vertices", 0),
-        ("genus", 1),
-        ("genus", usize::MAX),
-    ] {
-        assert_eq!(refused_though_valid(|report| report["counts"][count] = json!(value)), expected, "{count} {value}");
+        for value in values {
+            let error = refused_though_valid(|report| report["counts"][count] = json!(value));
+            assert_eq!(error, expected, "{count} {value}");
+        }
     }
     // The sum is correct, but a handle cannot lie in the plane.
     let torus = |report: &mut Value| {
         let counts = &mut report["counts"];
         (counts["genus"], counts["components"]) = (json!(1), json!(4));
     };
-    assert_eq!(refused_though_valid(torus), expected);
+    assert_eq!(refused_though_valid(torus), EULER);
+    for count in ["components", "cycles", "borders", "genus"] {
+        let error = refused_though_valid(|report| report["counts"][count] = Value::Null);
+        assert_eq!(error, "every rule holds, but components, cycles, borders or genus are missing", "{count}");
+    }
 }
 
 #[test]
@@ -199,14 +179,6 @@ fn a_valid_report_with_other_bounds_than_those_of_t4_is_refused() {
     assert_eq!(refused_though_valid(too_many_edges), expected);
     let too_many_faces = |report: &mut Value| report["counts"]["faces"] = json!(11);
     assert_eq!(refused_though_valid(too_many_faces), expected);
-}
-
-#[test]
-fn a_valid_report_without_its_counts_is_refused() {
-    for count in ["components", "cycles", "borders", "genus"] {
-        let error = refused_though_valid(|report| report["counts"][count] = Value::Null);
-        assert_eq!(error, "every rule holds, but components, cycles, borders or genus are missing", "{count}");
-    }
 }
 
 #[test]

@@ -1,16 +1,17 @@
 //! The fast path does not change reports, and accepts valid structures.
 
-use crate::support::erased::validate;
+use crate::support::erased::{first_broken_rule, validate};
 use crate::support::only_live::OnlyLive;
-use crate::support::tables::{Without, half_edge, textbook_mesh, torus, vertex};
+use crate::support::programs::{built, random};
+use crate::support::renumbered::renumbered;
+use crate::support::rotations::each_rotation_system;
+use crate::support::small::small_maps;
+use crate::support::tables::{Without, textbook_mesh, torus, without_border};
 use crate::support::watched::Watched;
-use twinedge::dcel::Dcel;
-use twinedge::program::{Program, Runner};
 use twinedge::validate::reference::rule_by_rule;
 use twinedge::validate::{
-    Collect, Expectation, FaceRow, HalfEdgeRow, Part, Parts, Rule, Start, Table, VertexRow, View, Violation, accepts,
+    Collect, Expectation, HalfEdgeRow, Part, Parts, Rule, Table, VertexRow, View, Violation, accepts,
 };
-use twinedge_trials::census::{Census, Scope};
 use twinedge_trials::corrupt::CorruptWork;
 use twinedge_trials::enumerate::for_each_corruption;
 use twinedge_trials::forms::{forms, projections};
@@ -52,69 +53,17 @@ fn what_is_right_in_any_form_is_not_left_to_the_rules() {
         .unwrap();
 }
 
-/// The permutations of these numbers, by Heap's algorithm.
-fn for_each_permutation(numbers: &mut [usize], left: usize, visit: &mut impl FnMut(&[usize])) {
-    if left <= 1 {
-        return visit(numbers);
-    }
-    for i in 0..left {
-        for_each_permutation(numbers, left - 1, visit);
-        numbers.swap(if left % 2 == 0 { i } else { 0 }, left - 1);
-    }
-}
-
-/// The surfaces with these cycles, as a table with every part that surfaces have.
-fn rotation_system(next: &[usize]) -> Table {
-    // The numbers of the orbits, in the order of their first half-edges.
-    let orbits = |step: &dyn Fn(usize) -> usize| {
-        let (mut of, mut first) = (vec![usize::MAX; next.len()], Vec::new());
-        for start in 0..next.len() {
-            let mut h = start;
-            while of[h] == usize::MAX {
-                if h == start {
-                    first.push(start);
-                }
-                of[h] = first.len() - 1;
-                h = step(h);
-            }
-        }
-        (of, first)
-    };
-    let (origin, leaving) = orbits(&|h| next[h ^ 1]);
-    let (face, outer) = orbits(&|h| next[h]);
-    let half_edge = |h: usize| HalfEdgeRow {
-        origin: Some(origin[h]),
-        twin: Some(h ^ 1),
-        next: Some(next[h]),
-        prev: next.iter().position(|next| *next == h),
-        face: Some(face[h]),
-        ..HalfEdgeRow::default()
-    };
-    let vertex = |h: &usize| Some(VertexRow { leaving: Some(*h), ..VertexRow::default() });
-    let face = |h: &usize| Some(FaceRow { outer_half_edge: Some(*h), ..FaceRow::default() });
-    Table {
-        parts: Parts::NONE.with(Part::Prev).with(Part::Leaving).with(Part::Faces),
-        vertices: leaving.iter().map(vertex).collect(),
-        half_edges: (0..next.len()).map(|h| Some(half_edge(h))).collect(),
-        faces: outer.iter().map(face).collect(),
-        ..Table::default()
-    }
-}
-
 /// With at least four edges there are surfaces with more handles than components.
 #[test]
 fn every_rotation_system_of_up_to_four_edges_is_accepted_with_its_genus() {
     let mut by_genus = [0; 3];
     for edges in 0..=4 {
-        let mut cycles: Vec<usize> = (0..2 * edges).collect();
-        let length = cycles.len();
-        for_each_permutation(&mut cycles, length, &mut |next| {
-            let table = rotation_system(next);
+        each_rotation_system(edges, |table| {
             let surface = Expectation::surface();
-            let genus = validate(&table, &surface, Collect::First).into_result().unwrap().genus;
+            let genus = validate(table, &surface, Collect::First).into_result().unwrap().genus;
             by_genus[genus] += 1;
-            assert!(accepts(&table, &surface.open()) && accepts(&table, &surface.genus(genus)), "{table}");
-            assert!(!accepts(&table, &surface.genus(genus + 1)), "{table}");
+            assert!(accepts(table, &surface.open()) && accepts(table, &surface.genus(genus)), "{table}");
+            assert!(!accepts(table, &surface.genus(genus + 1)), "{table}");
             let bare = table.without(Part::Faces).without(Part::Prev).without(Part::Leaving);
             assert!(accepts(&bare, &surface) && accepts(&bare, &PLANE) == (genus == 0), "{bare}");
         });
@@ -122,24 +71,29 @@ fn every_rotation_system_of_up_to_four_edges_is_accepted_with_its_genus() {
     assert_eq!(by_genus, [23_593, 16_454, 1_020]);
 }
 
+/// Every projection of every small map is valid.
 #[test]
 fn right_maps_in_every_form() {
-    for map in Census::new(Scope::Subdivisions { edges: 3, vertices: 3 }) {
-        let table = Table::copy_of(map.runner.subject()).unwrap();
+    let mut opened = [0; 2];
+    for table in small_maps(3, 3) {
         for form in forms() {
-            for projection in projections(&table, &form) {
+            let all = projections(&table, &form);
+            opened[usize::from(form.expectation.is_open())] += all.len() - 1;
+            for projection in all {
+                assert!(accepts(&projection, &form.expectation), "{table}\n{projection}\n{form:?}");
+                assert_eq!(first_broken_rule(&projection, &form.expectation), None, "{projection}\n{form:?}");
                 assert_same(&projection, &form.expectation, &projection);
             }
         }
     }
+    assert!(opened[0] == 0 && opened[1] > 10_000, "{opened:?}");
 }
 
 /// Collects in turn all violations, the first ones, and one.
 #[test]
 fn every_corruption_of_small_maps_in_every_form() {
     let mut corruptions = 0;
-    for map in Census::new(Scope::Subdivisions { edges: 2, vertices: 2 }) {
-        let table = Table::copy_of(map.runner.subject()).unwrap();
+    for table in small_maps(2, 2) {
         for form in forms() {
             for mut projection in projections(&table, &form) {
                 for_each_corruption(&mut projection, form.parts, |corrupt, _, _| {
@@ -175,28 +129,13 @@ fn half_edges_on_the_boundary_component_of_a_vertex_where_prev_is_wrong_elsewher
     assert_same(&table, &PLANE, &table);
 }
 
-/// A mesh without its border half-edges.
-fn bare(paired: &Table) -> Table {
-    let mut bare = paired.clone();
-    for h in 0..bare.half_edges.len() {
-        if let Some(HalfEdgeRow { face: None, twin: Some(twin), .. }) = paired.half_edges[h] {
-            bare.half_edges[h] = None;
-            half_edge(&mut bare, twin).twin = None;
-        }
-    }
-    for v in 0..bare.vertices.len() {
-        vertex(&mut bare, v).leaving = (0..bare.half_edges.len()).find(|h| bare.origin(*h) == Some(v));
-    }
-    bare
-}
-
 /// A torus with a border, without `prev`, where the plane is expected. Only T3 is broken, so the components are found again by
 /// walks around the vertices, which at the border go back along the cycles.
 #[test]
 fn an_open_torus_in_the_plane_where_there_is_no_prev() {
     let mut triangles = torus([3, 4]);
     triangles.pop();
-    let table = bare(&textbook_mesh(12, &triangles)).without(Part::Prev);
+    let table = without_border(&textbook_mesh(12, &triangles)).without(Part::Prev);
     for table in [Part::Faces, Part::UnboundedFace].map(|part| table.without(part)) {
         let report = validate(&table, &PLANE.open(), Collect::All);
         assert_eq!(report.broken_rules().next(), Some(Rule::T3), "{report}");
@@ -266,63 +205,19 @@ impl Numbers {
         (self.0 >> 33) as usize % end.max(1)
     }
 
-    /// Distinct places for `count` records, with two vacant slots among them.
-    fn places(&mut self, count: usize) -> Vec<usize> {
-        let mut places: Vec<usize> = (0..count + 2).collect();
-        for i in (1..places.len()).rev() {
-            places.swap(i, self.below(i + 1));
+    /// Distinct slots for `count` records, and two more.
+    fn slots(&mut self, count: usize) -> Vec<usize> {
+        let mut slots: Vec<usize> = (0..count + 2).collect();
+        for i in (1..slots.len()).rev() {
+            slots.swap(i, self.below(i + 1));
         }
-        places.truncate(count);
-        places
+        slots
     }
-}
 
-/// The rows at their places.
-fn placed<T: Clone>(rows: &[Option<T>], places: &[usize]) -> Vec<Option<T>> {
-    let mut placed = vec![None; places.len() + 2];
-    for (row, place) in rows.iter().zip(places) {
-        placed[*place].clone_from(row);
-    }
-    placed
-}
-
-/// The structure with its records in another order, and vacant slots among them.
-fn renumbered(table: &Table, numbers: &mut Numbers) -> Table {
-    let [v, h, b, f] = [table.vertices.len(), table.half_edges.len(), table.boundaries.len(), table.faces.len()]
-        .map(|count| numbers.places(count));
-    let mut table = table.clone();
-    for row in table.vertices.iter_mut().flatten() {
-        row.leaving = row.leaving.map(|to| h[to]);
-        row.isolated = row.isolated.map(|to| b[to]);
-    }
-    for row in table.half_edges.iter_mut().flatten() {
-        row.origin = row.origin.map(|to| v[to]);
-        row.boundary = row.boundary.map(|to| b[to]);
-        row.face = row.face.map(|to| f[to]);
-        for link in [&mut row.twin, &mut row.next, &mut row.prev] {
-            *link = link.map(|to| h[to]);
-        }
-    }
-    let start = |start: Start| match start {
-        Start::HalfEdge(to) => Start::HalfEdge(h[to]),
-        Start::Vertex(to) => Start::Vertex(v[to]),
-    };
-    for row in table.boundaries.iter_mut().flatten() {
-        row.face = row.face.map(|to| f[to]);
-        row.start = row.start.map(start);
-    }
-    for row in table.faces.iter_mut().flatten() {
-        row.outer = row.outer.map(|to| b[to]);
-        row.outer_half_edge = row.outer_half_edge.map(|to| h[to]);
-        row.inner.iter_mut().for_each(|link| *link = link.map(|to| b[to]));
-        row.inner_starts.iter_mut().for_each(|link| *link = link.map(start));
-    }
-    Table {
-        parts: table.parts,
-        vertices: placed(&table.vertices, &v),
-        half_edges: placed(&table.half_edges, &h),
-        boundaries: placed(&table.boundaries, &b),
-        faces: placed(&table.faces, &f),
+    /// The structure with its records in another order, and vacant slots among them.
+    fn renumber(&mut self, table: &Table) -> Table {
+        let counts = [table.vertices.len(), table.half_edges.len(), table.boundaries.len(), table.faces.len()];
+        renumbered(table, &counts.map(|count| self.slots(count)))
     }
 }
 
@@ -346,12 +241,7 @@ fn assert_same_with_wrong_links(table: &Table, expectation: &Expectation, number
 fn larger_maps_with_their_records_in_any_order() {
     for seed in 0..12 {
         let mut numbers = Numbers(seed);
-        let bytes: Vec<u8> = (0..600).map(|_| numbers.below(256) as u8).collect();
-        let mut runner = Runner::new(Dcel::new());
-        for op in Program::from_bytes(&bytes).0 {
-            runner.step(op);
-        }
-        let table = renumbered(&Table::copy_of(runner.subject()).unwrap(), &mut numbers);
+        let table = numbers.renumber(&Table::copy_of(&built(&random(seed, 600))).unwrap());
         for form in forms() {
             let all = projections(&table, &form);
             for _ in 0..3 {
@@ -381,8 +271,8 @@ fn larger_meshes_with_their_records_in_any_order() {
             triangles.swap_remove(numbers.below(triangles.len()));
         }
         let paired = textbook_mesh(vertices, &triangles);
-        let bare = bare(&paired);
-        for table in [paired, bare].map(|table| renumbered(&table, &mut numbers)) {
+        let bare = without_border(&paired);
+        for table in [paired, bare].map(|table| numbers.renumber(&table)) {
             let lacking = [Part::Prev, Part::Leaving, Part::Faces].map(|part| table.without(part));
             for table in lacking.iter().chain([&table]) {
                 for expectation in [mesh, mesh.open()] {

@@ -77,39 +77,34 @@ quickcheck! {
 }
 
 #[test]
-fn a_table_with_boundary_components_is_four_sections() {
-    assert_eq!(
-        nested().to_string(),
-        "V 7 0 - 1 - 3 - 6 - 7 - 9 - - 3 H 12 0 1 2 4 1 1 0 5 3 0 1 3 4 0 1 2 2 1 5 0 2 5 0 2 1 0 4 3 1 0 \
-         3 7 8 10 4 4 6 11 9 2 4 9 10 6 4 5 8 7 11 2 5 11 6 8 4 3 10 9 7 2 \
-         B 5 0 h1 i0 1 h0 o 1 h7 i0 1 v6 i1 2 h6 o F 3 - 1 0 1 2 2 3 4 0"
-    );
-}
-
-#[test]
-fn a_textbook_table_is_six_sections() {
-    let text = nested_textbook().to_string();
-    assert!(text.contains(" B 0 F 3 - 0 - 0 - 0 HF 12 1 0 1 0 1 0 2 1 2 1 2 1 FH 3 - 1 h1 0 2 h7 v6 6 0"), "{text}");
-    assert_eq!(text.parse(), Ok(nested_textbook()));
-}
-
-#[test]
-fn the_empty_table_has_empty_sections() {
-    assert_eq!(Table::default().to_string(), "V 0 H 0 B 0 F 0");
-}
-
-#[test]
-fn a_vacant_slot_is_x() {
-    let table = Table {
+fn a_table_is_a_section_for_each_kind_of_record_and_each_column_that_not_all_tables_have() {
+    let vacant = Table {
         vertices: vec![None, Some(VertexRow::default())],
         half_edges: vec![None, Some(HalfEdgeRow { face: Some(1), ..HalfEdgeRow::default() })],
         boundaries: vec![None],
         faces: vec![None, Some(FaceRow { outer_half_edge: Some(3), ..FaceRow::default() })],
         ..Table::default()
     };
-    let text = "V 2 x - - H 2 x - - - - - B 1 x F 2 x - 0 HF 2 x 1 FH 2 x 3 0";
-    assert_eq!(table.to_string(), text);
-    assert_eq!(text.parse(), Ok(table));
+    let textbook = Table { parts: Parts::ALL, ..nested_textbook() };
+    for (table, text) in [
+        (Table::default(), "V 0 H 0 B 0 F 0"),
+        (vacant, "V 2 x - - H 2 x - - - - - B 1 x F 2 x - 0 HF 2 x 1 FH 2 x 3 0"),
+        (
+            nested(),
+            "V 7 0 - 1 - 3 - 6 - 7 - 9 - - 3 H 12 0 1 2 4 1 1 0 5 3 0 1 3 4 0 1 2 2 1 5 0 2 5 0 2 1 0 4 3 1 0 \
+             3 7 8 10 4 4 6 11 9 2 4 9 10 6 4 5 8 7 11 2 5 11 6 8 4 3 10 9 7 2 \
+             B 5 0 h1 i0 1 h0 o 1 h7 i0 1 v6 i1 2 h6 o F 3 - 1 0 1 2 2 3 4 0",
+        ),
+        (
+            textbook,
+            "V 7 0 - 1 - 3 - 6 - 7 - 9 - - - H 12 0 1 2 4 - 1 0 5 3 - 1 3 4 0 - 2 2 1 5 - 2 5 0 2 - 0 4 3 1 - \
+             3 7 8 10 - 4 6 11 9 - 4 9 10 6 - 5 8 7 11 - 5 11 6 8 - 3 10 9 7 - \
+             B 0 F 3 - 0 - 0 - 0 HF 12 1 0 1 0 1 0 2 1 2 1 2 1 FH 3 - 1 h1 0 2 h7 v6 6 0",
+        ),
+    ] {
+        assert_eq!(table.to_string(), text);
+        assert_eq!(text.parse(), Ok(table));
+    }
 }
 
 /// A part implies its dependencies; with all parts, the section is omitted.
@@ -172,32 +167,22 @@ fn a_token_that_is_not_expected_is_refused_where_it_stands() {
 }
 
 #[test]
-fn an_error_says_which_section_is_expected() {
-    assert_eq!(refused("hello").to_string(), "the section of the vertices (`V`) is expected at byte 0");
-    assert_eq!(
-        refused("V 0 H 0").to_string(),
-        "the text ends at byte 7, where the section of the boundary components (`B`) is expected"
-    );
-}
-
-#[test]
-fn a_number_that_does_not_fit_is_refused() {
-    let error = refused("V 1 99999999999999999999 -");
-    assert_eq!(error, ParseTableError::NumberTooLarge { position: 4 });
-    assert_eq!(error.to_string(), "the number at byte 4 is too large");
-}
-
-#[test]
-fn an_extension_with_another_number_of_rows_is_refused() {
-    let error = refused("V 0 H 0 B 0 F 0 HF 1 0");
-    assert_eq!(error, ParseTableError::RowCount { position: 19, expected: 0, found: 1 });
-    let error = refused("V 0 H 0 B 0 F 1 - 0 FH 2 - 0 - 0");
-    assert_eq!(error, ParseTableError::RowCount { position: 23, expected: 1, found: 2 });
-}
-
-/// A text may claim any number of rows, but missing rows take no memory.
-#[test]
-fn a_claim_of_many_rows_is_refused_where_the_rows_end() {
+fn an_error_says_what_is_wrong_and_where() {
+    let too_large = ParseTableError::NumberTooLarge { position: 4 };
+    assert_eq!(refused("V 1 99999999999999999999 -"), too_large);
+    for (text, told) in [
+        ("hello", "the section of the vertices (`V`) is expected at byte 0"),
+        ("V 0 H 0", "the text ends at byte 7, where the section of the boundary components (`B`) is expected"),
+        ("V 1 99999999999999999999 -", "the number at byte 4 is too large"),
+    ] {
+        assert_eq!(refused(text).to_string(), told);
+    }
+    for (text, position, expected, found) in
+        [("V 0 H 0 B 0 F 0 HF 1 0", 19, 0, 1), ("V 0 H 0 B 0 F 1 - 0 FH 2 - 0 - 0", 23, 1, 2)]
+    {
+        assert_eq!(refused(text), ParseTableError::RowCount { position, expected, found });
+    }
+    // A text may claim any number of rows, but missing rows take no memory.
     let text = format!("V {} - -", usize::MAX);
     assert!(matches!(refused(&text), ParseTableError::UnexpectedEnd { .. }));
 }

@@ -4,10 +4,10 @@
 use crate::support::erased::validate;
 use crate::support::nested::{PLANE, nested, nested_textbook};
 use crate::support::opinions::{agree, broken};
+use crate::support::renumbered::renumbered;
 use crate::support::tables::{Without, half_edge, k7, map, mesh};
 use crate::support::watched::Watched;
-use twinedge::validate::reference::rule_by_rule;
-use twinedge::validate::{Collect, Expectation, Link, Part, Rule, Start, Table, Violation};
+use twinedge::validate::{Collect, Expectation, Part, Rule, Start, Table, Violation};
 
 /// Returns the numbers of questions about the twin, next and prev of half-edges of a valid table.
 fn questions(table: &Table, expectation: Expectation) -> [usize; 3] {
@@ -21,38 +21,9 @@ fn questions(table: &Table, expectation: Expectation) -> [usize; 3] {
 /// Moves the second half of the vertices, edges, boundary components and faces, with all links to them, up by one slot,
 /// which is vacant.
 fn with_vacant_slots(table: &Table) -> Table {
-    let (v, h, b, f) =
-        (table.vertices.len() / 2, table.half_edges.len() / 2, table.boundaries.len() / 2, table.faces.len() / 2);
-    let up = |slot: usize, from: usize| slot + usize::from(slot >= from);
-    let mut moved = table.clone();
-    for row in moved.vertices.iter_mut().flatten() {
-        row.leaving = row.leaving.map(|to| up(to, h));
-        row.isolated = row.isolated.map(|to| up(to, b));
-    }
-    for row in moved.half_edges.iter_mut().flatten() {
-        row.origin = row.origin.map(|to| up(to, v));
-        row.boundary = row.boundary.map(|to| up(to, b));
-        for link in [&mut row.twin, &mut row.next, &mut row.prev] {
-            *link = link.map(|to| up(to, h));
-        }
-    }
-    for row in moved.boundaries.iter_mut().flatten() {
-        row.face = row.face.map(|to| up(to, f));
-        row.start = row.start.map(|start| match start {
-            Start::HalfEdge(to) => Start::HalfEdge(up(to, h)),
-            Start::Vertex(to) => Start::Vertex(up(to, v)),
-        });
-    }
-    for row in moved.faces.iter_mut().flatten() {
-        for link in std::iter::once(&mut row.outer).chain(&mut row.inner) {
-            *link = link.map(|to| up(to, b));
-        }
-    }
-    moved.vertices.insert(v, None);
-    moved.half_edges.insert(h, None);
-    moved.boundaries.insert(b, None);
-    moved.faces.insert(f, None);
-    moved
+    let counts = [table.vertices.len(), table.half_edges.len(), table.boundaries.len(), table.faces.len()];
+    let slots = |count: usize| (0..count).map(|i| i + usize::from(i >= count / 2)).chain([count / 2]).collect();
+    renumbered(table, &counts.map(slots))
 }
 
 /// In a valid map, the validator asks for each twin twice, as a step and as the answer to it, and for each next and each
@@ -182,43 +153,4 @@ fn a_rotation_that_two_vertices_claim_leaves_room_for_no_third() {
     half_edge(&mut table, 2).twin = Some(2);
     // Two half-edges also lack a boundary component.
     assert_eq!(agree(&table, PLANE), Some(Rule::R1));
-}
-
-/// The fast path records the counts of the rules.
-#[test]
-fn the_fast_path_and_the_rules_report_the_same() {
-    let tetrahedron = mesh(4, &[[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]]);
-    let surface = Expectation::surface();
-    let labelled = with_labels(tetrahedron.clone()).without(Part::BoundaryComponents);
-    for (table, expectation) in [
-        (nested(), PLANE),
-        (nested().without(Part::Faces), PLANE),
-        (nested().without(Part::Faces), surface),
-        (nested_textbook(), PLANE),
-        (tetrahedron.without(Part::Holes), PLANE),
-        (tetrahedron, surface),
-        (labelled.without(Part::Holes), PLANE),
-        (labelled, surface),
-    ] {
-        for parts in [&[][..], &[Part::Prev], &[Part::Leaving], &[Part::Places], &[Part::Prev, Part::Leaving]] {
-            let table = parts.iter().fold(table.clone(), |table, part| table.without(*part));
-            let settled = validate(&table, &expectation, Collect::All);
-            assert!(settled.is_valid(), "{table}\n{expectation:?}\n{settled}");
-            let by_the_rules = rule_by_rule(&table, &expectation, Collect::All);
-            assert_eq!(settled, by_the_rules, "{table}\n{expectation:?}\n{settled}\n{by_the_rules}");
-        }
-    }
-}
-
-/// The mesh with half-edges that name faces, and faces that name half-edges.
-fn with_labels(mut mesh: Table) -> Table {
-    let boundary = |b: Link| mesh.boundaries[b.unwrap()].unwrap();
-    for row in mesh.half_edges.iter_mut().flatten() {
-        row.face = boundary(row.boundary).face;
-    }
-    for row in mesh.faces.iter_mut().flatten() {
-        let Some(Start::HalfEdge(start)) = boundary(row.outer).start else { panic!("a mesh has no isolated vertex") };
-        row.outer_half_edge = Some(start);
-    }
-    mesh
 }

@@ -2,31 +2,12 @@
 
 use crate::support::erased::validate;
 use crate::support::nested::{PLANE, nested, nested_textbook};
-use crate::support::opinions::{agree, broken};
-use crate::support::tables::{TETRAHEDRON, Without, boundary, face, half_edge, k7, map, mesh, vertex};
+use crate::support::opinions::{agree, broken, only};
+use crate::support::tables::{TETRAHEDRON, Without, boundary, digon, face, half_edge, k7, map, mesh, one_loop, vertex};
 use twinedge::validate::{
     BoundaryPlace, BoundaryRow, Collect, Expectation, FaceRow, Field, Part, Record, Rule, Start, Table, Unchecked,
     VertexRow, Violation,
 };
-
-/// Two edges between two vertices: half-edges 0 and 3 around the inside, 1 and 2 around the outside.
-fn digon() -> Table {
-    map(2, &[(0, 3), (1, 2), (0, 1), (1, 0)], &[(None, &[Start::HalfEdge(1)]), (Some(0), &[])])
-}
-
-/// One edge from a vertex to itself.
-fn one_loop() -> Table {
-    map(1, &[(0, 0), (0, 1)], &[(None, &[Start::HalfEdge(1)]), (Some(0), &[])])
-}
-
-/// Asserts that these are all violations, of one rule, and that the reference validator also finds this rule first.
-#[track_caller]
-fn only(rule: Rule, table: &Table, expectation: Expectation, violations: &[Violation]) {
-    let report = validate(table, &expectation, Collect::All);
-    assert_eq!(report.violations(), violations, "{report}");
-    assert_eq!(broken(&report), [rule], "{report}");
-    assert_eq!(agree(table, expectation), Some(rule));
-}
 
 /// Asserts that a change to the nested triangles breaks only this rule, in this way.
 #[track_caller]
@@ -340,26 +321,6 @@ fn f2_a_boundary_component_is_listed_by_another_face_or_at_another_place() {
     {
         change(Rule::F2, |t| boundary(t, 3).place = place, &wrong(place));
     }
-}
-
-/// With five boundary components, at most 26 entries are read.
-#[test]
-fn r1_a_list_is_longer_than_all_boundary_components_together() {
-    let mut table = nested().without(Part::Places);
-    face(&mut table, 1).inner.resize(100, Some(3));
-    let report = validate(&table, &PLANE, Collect::All);
-    let twice = Violation::ListedTwice { record: Record::Boundary(3), face: 1 };
-    assert_eq!(report.violations().iter().filter(|v| **v == twice).count(), 23);
-    let too_long = Violation::ListTooLong { face: 1, claimed: 100 };
-    assert_eq!(report.first(), Some(&too_long));
-    assert_eq!(broken(&report), [Rule::R1, Rule::F2]);
-    assert_eq!(agree(&table, PLANE), Some(Rule::R1));
-    let mut table = nested_textbook();
-    face(&mut table, 1).inner_starts.resize(100, Some(Start::HalfEdge(7)));
-    let report = validate(&table, &PLANE, Collect::All);
-    assert_eq!(report.first(), Some(&too_long));
-    assert_eq!(broken(&report), [Rule::R1, Rule::F2]);
-    assert_eq!(agree(&table, PLANE), Some(Rule::R1));
 }
 
 /// Regression, found by fuzzing: R1 was called valid, and F2 the first broken rule, although R1 had not read all lists.

@@ -1,6 +1,6 @@
 //! Compacting: the same map without gaps, and the new keys.
 
-use super::{built, check};
+use crate::support::programs::{built, check};
 use twinedge::dcel::{Boundary, Dcel, Face, HalfEdge, Vertex};
 use twinedge::program::Program;
 use twinedge::program::canonical::isomorphic;

@@ -1,6 +1,6 @@
 //! Building from faces: accepted structures have these faces, and refusals have the reason found by a plain count.
 
-use super::check;
+use crate::support::programs::check;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use twinedge::dcel::{Dcel, FacesError};

@@ -1,7 +1,7 @@
 //! Retaining: the result equals removing records one by one.
 
-use super::{built, check};
 use crate::support::erased::validate_plane;
+use crate::support::programs::{built, check};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use twinedge::dcel::{

@@ -1,6 +1,6 @@
 //! Building from rotations: every map can be rebuilt, and every refusal has its cause.
 
-use super::{built, check};
+use crate::support::programs::{built, check};
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use twinedge::dcel::{Corner, Dcel, Placement, RotationsError};

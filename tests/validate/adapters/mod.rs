@@ -5,7 +5,7 @@ mod hostile;
 mod labels;
 mod links;
 
-use crate::support::tables::{TETRAHEDRON, half_edge, textbook_map, textbook_mesh, vertex};
+use crate::support::tables::{TETRAHEDRON, half_edge, textbook_map, textbook_mesh, vertex, without_border};
 use twinedge::delegate_view;
 use twinedge::validate::adapt::Targets;
 use twinedge::validate::{Expectation, HalfEdgeRow, Link, Part, Parts, Table, View};
@@ -36,12 +36,7 @@ fn mirrored(table: &Table) -> Table {
 /// A closed mesh, one with a border of half-edges without twins, and an edge with a loop at one end.
 pub(super) fn maps() -> [(Table, Expectation); 3] {
     let closed = textbook_mesh(4, &TETRAHEDRON);
-    let mut open = with_bare_border(5, &[[0, 1, 2], [0, 2, 3], [0, 3, 4]]);
-    let borders: Vec<usize> = (0..open.half_edges.len()).filter(|h| half_edge(&mut open, *h).face.is_none()).collect();
-    for h in borders {
-        open.half_edges[h] = None;
-        half_edge(&mut open, h ^ 1).twin = None;
-    }
+    let open = without_border(&fan());
     let tadpole = textbook_map(2, &[(0, 2), (1, 0), (1, 1), (1, 3)], &[(Some(0), &[]), (Some(3), &[])]);
     let kept = |table| Table { parts: Parts::NONE.with(Part::Prev).with(Part::Faces), ..table };
     [(kept(closed), MESH), (kept(open), MESH.open()), (kept(tadpole), MESH)]

@@ -2,7 +2,6 @@
 //! component; a vertex stores a half-edge that *arrives* at it, or the record of an isolated vertex.
 
 use super::{Stored, each_change, holds, judged, mirrored};
-use crate::support::erased::validate_plane;
 use crate::support::nested::{PLANE, nested};
 use twinedge::validate::adapt::Targets;
 use twinedge::validate::{BoundaryRow, FaceRow, Link, Part, Parts, Start, Table, VertexRow, View};
@@ -75,13 +74,6 @@ fn sound() -> Arrangement {
         ccbs: table.boundaries.iter().flatten().map(|row| (row.face, row.start.unwrap())).collect(),
         faces: table.faces.iter().flatten().map(|row| (row.outer, row.inner.clone())).collect(),
     }
-}
-
-#[test]
-fn validating_an_arrangement() {
-    let arrangement = sound();
-    let report = validate_plane(&arrangement.view());
-    assert_eq!(report.into_result().unwrap().components, 3);
 }
 
 fn links(map: &mut Arrangement) -> Vec<Stored<'_>> {

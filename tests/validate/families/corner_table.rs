@@ -2,10 +2,9 @@
 //! stores its vertex and the opposite corner, in the triangle across the side that it faces.
 
 use super::{Stored, each_change, judged};
-use crate::support::erased::validate;
 use crate::support::tables::TETRAHEDRON;
 use std::collections::BTreeSet;
-use twinedge::validate::{Collect, Expectation, Link, Part, Parts, View};
+use twinedge::validate::{Expectation, Link, Part, Parts, View};
 use twinedge::view_answers;
 
 #[derive(Clone)]
@@ -46,14 +45,6 @@ fn glued(vertices: usize, triangles: &[[usize; 3]]) -> CornerTable {
         opposite: (0..vertex.len()).map(opposite).collect(),
         vertex: vertex.iter().copied().map(Some).collect(),
     }
-}
-
-#[test]
-fn validating_a_corner_table() {
-    let closed = glued(4, &TETRAHEDRON);
-    assert!(validate(&closed, &EXPECTATION, Collect::All).is_valid());
-    let fan = glued(4, &[[0, 1, 2], [0, 3, 1], [1, 3, 2]]);
-    assert_eq!(validate(&fan, &EXPECTATION, Collect::All).into_result().unwrap().borders, 1);
 }
 
 fn links(table: &mut CornerTable) -> Vec<Stored<'_>> {

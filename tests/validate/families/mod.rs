@@ -4,10 +4,8 @@
 mod ccb;
 mod corner_table;
 mod keyed_mesh;
-mod openmesh;
 mod quad_edge;
 mod surface_mesh;
-mod textbook;
 mod winged_edge;
 
 use crate::support::erased::{broken_rules, first_broken_rule, validate};

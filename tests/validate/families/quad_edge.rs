@@ -2,11 +2,10 @@
 //! stores `Onext`, the next one counter-clockwise around its origin, which is a vertex for even `r` and a face for odd `r`.
 
 use super::{Changes, Stored, each_change, judged};
-use crate::support::erased::validate;
 use crate::support::tables::{TETRAHEDRON, textbook_mesh};
 use std::collections::BTreeSet;
 use twinedge::validate::adapt::FaceLabels;
-use twinedge::validate::{Collect, Expectation, Link, Part, Parts, Table, View};
+use twinedge::validate::{Expectation, Link, Part, Parts, Table, View};
 use twinedge::view_answers;
 
 #[derive(Clone)]
@@ -61,13 +60,6 @@ fn of_mesh(table: &Table) -> QuadEdge {
 
 fn tetrahedron() -> QuadEdge {
     of_mesh(&textbook_mesh(4, &TETRAHEDRON))
-}
-
-#[test]
-fn validating_a_quad_edge_structure() {
-    let quads = tetrahedron();
-    let report = validate(&FaceLabels::one_cycle(&quads).unwrap(), &EXPECTATION, Collect::All);
-    assert_eq!(report.into_result().unwrap().faces, 4);
 }
 
 fn links(quads: &mut QuadEdge) -> Vec<Stored<'_>> {

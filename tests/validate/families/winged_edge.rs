@@ -2,9 +2,8 @@
 //! edges before and after it around each face. Vertices and faces store one edge.
 
 use super::{Stored, each_change, holds, judged};
-use crate::support::erased::validate;
 use crate::support::tables::{TETRAHEDRON, TEXTBOOK, textbook_mesh};
-use twinedge::validate::{Collect, Expectation, FaceRow, HalfEdgeRow, Link, Part, Parts, Table, VertexRow, View};
+use twinedge::validate::{Expectation, FaceRow, HalfEdgeRow, Link, Part, Parts, Table, VertexRow, View};
 use twinedge::view_answers;
 
 /// Side 0 runs from `vertices[0]` to `vertices[1]` along `faces[0]`, side 1 back along `faces[1]`.
@@ -74,11 +73,6 @@ fn sound() -> WingedEdges {
         vertices: table.vertices.iter().flatten().map(|row| edge(row.leaving)).collect(),
         faces: table.faces.iter().flatten().map(|row| edge(row.outer_half_edge)).collect(),
     }
-}
-
-#[test]
-fn validating_winged_edges() {
-    assert_eq!(validate(&sound(), &EXPECTATION, Collect::All).into_result().unwrap().edges, 6);
 }
 
 fn links(map: &mut WingedEdges) -> Vec<Stored<'_>> {

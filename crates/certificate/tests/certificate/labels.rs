@@ -217,27 +217,6 @@ fn ranks_find_a_component_inside_itself() {
     }
 }
 
-/// One vertex with two rotations, and a torus: only the sums are incorrect.
-#[test]
-fn sums_find_what_no_record_shows() {
-    let two_loops =
-        "V 1 0 - H 4 0 1 0 0 0 0 0 1 1 1 0 3 2 2 2 0 2 3 3 3 B 4 1 h0 o 0 h1 i0 2 h2 o 0 h3 i1 F 3 - 2 1 3 0 0 2 0";
-    let table: Table = two_loops.parse().unwrap();
-    assert_eq!(first_broken_rule(&table, &PLANE), Some(Rule::V2));
-    let failures = check(&table, &Labels::new(&table).unwrap()).unwrap_err();
-    assert_eq!(failures.iter().map(|failure| failure.test()).collect::<Vec<_>>(), [Test::EulerOk]);
-    assert_eq!(failures[0].to_string(), "euler_ok");
-    assert_eq!((failures[0].first(), failures[0].count()), (None, 1));
-}
-
-/// Two faces without an outer boundary component: no other test detects the extra one.
-#[test]
-fn a_second_unbounded_face_is_found() {
-    let table: Table = "V 0 H 0 B 0 F 2 - 0 - 0".parse().unwrap();
-    let failures = check(&table, &Labels::new(&table).unwrap()).unwrap_err();
-    assert_eq!(failures.iter().map(|failure| failure.test()).collect::<Vec<_>>(), [Test::OneUnbounded]);
-}
-
 #[test]
 fn labels_of_another_length_are_refused() {
     for table in small_maps() {
@@ -350,27 +329,6 @@ fn labels_are_written_and_read() {
     assert_eq!(serde_json::from_str::<Certificate>(&text).unwrap(), certificate);
 }
 
-/// Each half of the test follows from the other at some half-edge; both are tested at each.
-#[test]
-fn next_and_prev_are_compared_both_ways() {
-    let mut edge: Table = "V 2 0 - 1 - H 2 0 1 1 1 0 1 0 0 0 0 B 1 0 h0 i0 F 1 - 1 0".parse().unwrap();
-    let labels = Labels::new(&edge).unwrap();
-    edge.half_edges[1].as_mut().unwrap().next = Some(1);
-    let failures = check(&edge, &labels).unwrap_err();
-    assert_eq!(failures[0].to_string(), "next_ok: 2 of the half-edges, the first is 0");
-}
-
-/// Four half-edges that are their own twins, around one vertex: the sums match a torus.
-#[test]
-fn half_edges_that_are_their_own_twins_are_no_handle() {
-    let text =
-        "P 3 prev leaving faces V 1 0 - H 4 0 0 1 3 - 0 1 2 0 - 0 2 3 1 - 0 3 0 2 - B 0 F 1 - 0 HF 4 0 0 0 0 FH 1 0 0";
-    let table: Table = text.parse().unwrap();
-    let (labels, _) = Labels::of_surface(&table).unwrap();
-    let failures = check_surface(&table, &labels, 1).unwrap_err();
-    assert_eq!(failures.iter().map(|failure| failure.test()).collect::<Vec<_>>(), [Test::TwinOk]);
-}
-
 fn failing(view: &impl View, labels: &Labels) -> Vec<Test> {
     check(view, labels).unwrap_err().iter().map(|failure| failure.test()).collect()
 }
@@ -421,32 +379,6 @@ impl View for Everywhere {
 #[test]
 fn a_list_without_end_is_not_read_to_its_end() {
     assert_eq!(failing(&Everywhere(Cell::default()), &Labels::default()), [Test::FaceOk]);
-}
-
-/// A face bounded by an isolated vertex: nothing else is invalid.
-#[test]
-fn an_isolated_vertex_bounds_no_face() {
-    let table: Table = "V 1 - 0 H 0 B 1 1 v0 o F 2 - 0 0 0".parse().unwrap();
-    assert_eq!(first_broken_rule(&table, &PLANE), Some(Rule::F1));
-    assert_eq!(failing(&table, &Labels::new(&table).unwrap()), [Test::StartOk]);
-}
-
-/// Half-edges of an isolated vertex also unbalance the sums; the test names them.
-#[test]
-fn half_edges_on_an_isolated_vertex_are_named() {
-    let table: Table = "V 3 0 - 1 - - 0 H 2 0 1 1 1 0 1 0 0 0 0 B 1 0 v2 i0 F 1 - 1 0".parse().unwrap();
-    let failures = failing(&table, &Labels::new(&table).unwrap());
-    assert!(failures.starts_with(&[Test::CycleOk]) && failures.ends_with(&[Test::EulerOk]), "{failures:?}");
-}
-
-/// Its face does not list it, which is also reported; without a lower neighbour it is no root.
-#[test]
-fn an_outer_boundary_component_is_no_root() {
-    let table: Table = "V 2 0 - 1 - H 2 0 1 1 1 0 1 0 0 0 0 B 1 0 h0 o F 1 - 1 0".parse().unwrap();
-    assert_eq!(
-        failing(&table, &Labels::new(&table).unwrap()),
-        [Test::RankOk, Test::PlaceOk, Test::FaceOk, Test::EulerOk]
-    );
 }
 
 /// Maps whose half-edges and faces name each other, without boundary components, and their labels.
@@ -522,24 +454,80 @@ fn a_face_names_no_more_than_its_boundary_components() {
     assert!(seen > 0);
 }
 
-/// The checker of labels accepts only closed surfaces: there each boundary component has a face.
+/// Tables that the checker of labels finds wrong, with their own labels. No other test finds what one test names.
 #[test]
-fn closed_surfaces_have_no_holes() {
-    let mut table = with_boundary_components(&textbook_mesh(4, &TETRAHEDRON));
-    let (labels, genus) = Labels::of_surface(&table).unwrap();
-    assert_eq!(check_surface(&table, &labels, genus), Ok(()));
-    table.boundaries[0].as_mut().unwrap().face = None;
-    table.faces[0] = None;
-    let failures = check_surface(&table, &labels, genus).unwrap_err();
-    assert_eq!(failures.iter().map(|failure| failure.test()).collect::<Vec<_>>(), [Test::SurfaceBoundaryOk]);
+fn each_wrong_table_fails_these_tests() {
+    let two_loops =
+        "V 1 0 - H 4 0 1 0 0 0 0 0 1 1 1 0 3 2 2 2 0 2 3 3 3 B 4 1 h0 o 0 h1 i0 2 h2 o 0 h3 i1 F 3 - 2 1 3 0 0 2 0";
+    let cases: [(&str, &str, Rule, &[Test]); 7] = [
+        ("a vertex with two rotations: only the sums show it", two_loops, Rule::V2, &[Test::EulerOk]),
+        ("two faces without an outer boundary component", "V 0 H 0 B 0 F 2 - 0 - 0", Rule::F1, &[Test::OneUnbounded]),
+        ("an isolated vertex bounds a face", "V 1 - 0 H 0 B 1 1 v0 o F 2 - 0 0 0", Rule::F1, &[Test::StartOk]),
+        (
+            "two boundary components start at an isolated vertex, which no sum includes",
+            "V 1 - 0 H 0 B 2 0 v0 i0 0 v0 i1 F 1 - 2 0 1",
+            Rule::B2,
+            &[Test::StartOk],
+        ),
+        (
+            "half-edges are on the boundary component of an isolated vertex",
+            "V 3 0 - 1 - - 0 H 2 0 1 1 1 0 1 0 0 0 0 B 1 0 v2 i0 F 1 - 1 0",
+            Rule::B1,
+            &[Test::CycleOk, Test::RankOk, Test::EulerOk],
+        ),
+        (
+            "an outer boundary component is no root, and its face does not list it",
+            "V 2 0 - 1 - H 2 0 1 1 1 0 1 0 0 0 0 B 1 0 h0 o F 1 - 1 0",
+            Rule::F2,
+            &[Test::RankOk, Test::PlaceOk, Test::FaceOk, Test::EulerOk],
+        ),
+        (
+            "a boundary component starts at a vertex with half-edges",
+            "V 1 0 2 H 2 0 1 0 0 0 0 0 1 1 1 B 3 0 h0 o 1 h1 i0 1 v0 i1 F 2 0 0 - 2 1 2",
+            Rule::B2,
+            &[Test::VertexOk, Test::StartOk],
+        ),
+    ];
+    for (name, text, rule, tests) in cases {
+        let table: Table = text.parse().unwrap();
+        assert_eq!(first_broken_rule(&table, &PLANE), Some(rule), "{name}");
+        assert_eq!(failing(&table, &Labels::new(&table).unwrap()), tests, "{name}");
+    }
+    let table: Table = two_loops.parse().unwrap();
+    let failures = check(&table, &Labels::new(&table).unwrap()).unwrap_err();
+    assert_eq!((failures[0].to_string().as_str(), failures[0].first(), failures[0].count()), ("euler_ok", None, 1));
+    // Each half of the test follows from the other at some half-edge; both are tested at each.
+    let mut edge: Table = "V 2 0 - 1 - H 2 0 1 1 1 0 1 0 0 0 0 B 1 0 h0 i0 F 1 - 1 0".parse().unwrap();
+    let labels = Labels::new(&edge).unwrap();
+    half_edge(&mut edge, 1).next = Some(1);
+    let failures = check(&edge, &labels).unwrap_err();
+    assert_eq!(failures[0].to_string(), "next_ok: 2 of the half-edges, the first is 0");
 }
 
-/// A boundary component that claims to be inner, although its face names it as outer.
+/// The checker of labels accepts only closed surfaces, where each boundary component is the outer one of a face.
 #[test]
-fn a_boundary_component_of_a_surface_is_the_outer_one() {
-    let mut table = with_boundary_components(&textbook_mesh(4, &TETRAHEDRON));
-    let (labels, genus) = Labels::of_surface(&table).unwrap();
-    table.boundaries[0].as_mut().unwrap().place = Some(BoundaryPlace::Inner(0));
-    let failures = check_surface(&table, &labels, genus).unwrap_err();
-    assert_eq!(failures.iter().map(|failure| failure.test()).collect::<Vec<_>>(), [Test::SurfaceBoundaryOk]);
+fn each_wrong_surface_fails_one_test() {
+    let mesh = with_boundary_components(&textbook_mesh(4, &TETRAHEDRON));
+    let (labels, genus) = Labels::of_surface(&mesh).unwrap();
+    assert_eq!(check_surface(&mesh, &labels, genus), Ok(()));
+    let failing = |table: &Table, labels: &Labels, genus| {
+        let failures = check_surface(table, labels, genus).unwrap_err();
+        failures.iter().map(|failure| failure.test()).collect::<Vec<_>>()
+    };
+    let mut hole = mesh.clone();
+    hole.boundaries[0].as_mut().unwrap().face = None;
+    hole.faces[0] = None;
+    let mut inner = mesh.clone();
+    inner.boundaries[0].as_mut().unwrap().place = Some(BoundaryPlace::Inner(0));
+    for table in [hole, inner] {
+        assert_eq!(failing(&table, &labels, genus), [Test::SurfaceBoundaryOk]);
+    }
+    let mut ranks = labels;
+    ranks.column_mut(Column::HalfEdgeRank).push(0);
+    assert_eq!(failing(&mesh, &ranks, genus), [Test::Readable]);
+    // Four half-edges that are their own twins, around one vertex: the sums match a torus.
+    let text =
+        "P 3 prev leaving faces V 1 0 - H 4 0 0 1 3 - 0 1 2 0 - 0 2 3 1 - 0 3 0 2 - B 0 F 1 - 0 HF 4 0 0 0 0 FH 1 0 0";
+    let table: Table = text.parse().unwrap();
+    assert_eq!(failing(&table, &Labels::of_surface(&table).unwrap().0, 1), [Test::TwinOk]);
 }

@@ -1,10 +1,10 @@
 //! Certificates of surfaces with a border: a certificate that passes is a surface with the counted genus, components and holes.
 
-use crate::tables::{TETRAHEDRON, Without, half_edge, textbook_mesh, torus, vertex, with_boundary_components};
+use crate::tables::{TETRAHEDRON, Without, half_edge, textbook_mesh, torus, with_boundary_components, without_border};
 use std::collections::BTreeSet;
 use twinedge::validate::reference::first_broken_rule;
 use twinedge::validate::{Expectation, FaceRow, Part, Rule, Table};
-use twinedge_certificate::{Column, Failure, Labels, SurfaceCertificate, SurfaceCounts, Test, check_surface};
+use twinedge_certificate::{Column, Failure, Labels, SurfaceCertificate, SurfaceCounts, Test};
 use twinedge_trials::enumerate::for_each_corruption;
 
 const OPEN: Expectation = Expectation::surface().open();
@@ -21,25 +21,15 @@ enum Border {
 /// Removes these faces from a mesh. Faces of the mesh name their half-edges.
 fn opened(mesh: &Table, faces: &[usize], border: Border) -> Table {
     let mut table = mesh.clone();
-    let gone = |h: usize| mesh.half_edges[h].unwrap().face.is_some_and(|f| faces.contains(&f));
-    for h in (0..mesh.half_edges.len()).filter(|h| gone(*h)) {
-        match border {
-            Border::NoFace => half_edge(&mut table, h).face = None,
-            Border::NoTwin => {
-                table.half_edges[h ^ 1].iter_mut().for_each(|twin| twin.twin = None);
-                table.half_edges[h] = None;
-            }
-        }
-    }
-    for v in 0..table.vertices.len() {
-        let leaves = |h: &usize| table.half_edges[*h].is_some_and(|row| row.origin == Some(v));
-        let leaving = (0..table.half_edges.len()).find(leaves);
-        vertex(&mut table, v).leaving = leaving;
-    }
+    let gone = table.half_edges.iter_mut().flatten().filter(|row| row.face.is_some_and(|f| faces.contains(&f)));
+    gone.for_each(|row| row.face = None);
     for f in faces {
         table.faces[*f] = None;
     }
-    table
+    match border {
+        Border::NoFace => table,
+        Border::NoTwin => without_border(&table),
+    }
 }
 
 fn by_record(table: &Table) -> Table {
@@ -152,16 +142,12 @@ fn a_border_that_passes_a_vertex_twice_is_refused() {
         half_edge(&mut table, h).next = Some(next);
     }
     let table = table.without(Part::Prev);
-    assert_eq!(first_broken_rule(&table, &OPEN), None);
-    assert_eq!(tests(&table), [Test::BorderOk]);
-}
-
-#[test]
-fn an_edge_without_faces_is_refused() {
-    let table: Table =
-        "P 3 prev leaving faces V 2 0 - 1 - H 2 0 1 1 1 - 1 0 0 0 - B 0 F 0 HF 2 - - FH 0".parse().unwrap();
-    assert_eq!(first_broken_rule(&table, &OPEN), None);
-    assert_eq!(tests(&table), [Test::BorderOk]);
+    // So is an edge without faces.
+    let edge = "P 3 prev leaving faces V 2 0 - 1 - H 2 0 1 1 1 - 1 0 0 0 - B 0 F 0 HF 2 - - FH 0".parse().unwrap();
+    for table in [table, edge] {
+        assert_eq!(first_broken_rule(&table, &OPEN), None);
+        assert_eq!(tests(&table), [Test::BorderOk]);
+    }
 }
 
 /// A stored boundary component is no hole, even if it names no face.
@@ -223,52 +209,52 @@ fn changed(mesh: &Table, change: impl Fn(&mut Labels)) -> Vec<Test> {
     failures.iter().map(|failure| failure.test()).collect()
 }
 
-/// A face that claims to be its own component would make one component and one handle too many.
 #[test]
-fn both_sides_of_an_edge_are_of_one_component() {
-    let failures = changed(&textbook_mesh(4, &TETRAHEDRON), |columns| {
-        let apart: Vec<usize> = (0..12).filter(|h| columns.column(Column::HalfEdgeBoundary)[*h] == 1).collect();
-        for h in &apart {
-            columns.column_mut(Column::HalfEdgeComponent)[*h] = apart[0] as u32;
-        }
-    });
-    assert_eq!(failures, [Test::ComponentOk]);
-}
-
-/// Two tori that claim to be one component have one handle, according to the sums.
-#[test]
-fn ranks_find_two_components_that_are_said_to_be_one() {
+fn each_change_of_columns_that_balances_the_sums_fails_one_test() {
+    type Change = fn(&mut Labels);
+    let tetrahedron = textbook_mesh(4, &TETRAHEDRON);
     let tori: Vec<_> =
         (0..2).flat_map(|part| torus([3, 3]).into_iter().map(move |triangle| triangle.map(|v| v + 9 * part))).collect();
-    let failures = changed(&textbook_mesh(18, &tori), |columns| {
-        let component = columns.column_mut(Column::HalfEdgeComponent);
-        let first = component[0];
-        component.fill(first);
-    });
-    assert_eq!(failures, [Test::ComponentOk]);
-}
-
-/// Two holes without half-edges would turn a torus into a sphere.
-#[test]
-fn a_hole_starts_with_a_half_edge_of_its_own() {
-    let failures = changed(&textbook_mesh(9, &torus([3, 3])), |columns| {
-        columns.column_mut(Column::BoundaryFace).extend([u32::MAX; 2]);
-        columns.column_mut(Column::BoundaryStart).extend([0; 2]);
-    });
-    assert_eq!(failures, [Test::SurfaceBoundaryOk]);
-}
-
-#[test]
-fn a_boundary_component_is_the_outer_one_of_one_face() {
-    let failures = changed(&textbook_mesh(4, &TETRAHEDRON), |columns| columns.column_mut(Column::FaceOuter).push(0));
-    assert_eq!(failures, [Test::SurfaceFaceOk]);
-}
-
-#[test]
-fn ranks_of_another_number_are_refused() {
-    let mesh = textbook_mesh(4, &TETRAHEDRON);
-    let (mut labels, genus) = Labels::of_surface(&mesh).unwrap();
-    labels.column_mut(Column::HalfEdgeRank).push(0);
-    let failures = check_surface(&mesh, &labels, genus).unwrap_err();
-    assert_eq!(failures.iter().map(|failure| failure.test()).collect::<Vec<_>>(), [Test::Readable]);
+    let (one, two) = (textbook_mesh(9, &torus([3, 3])), textbook_mesh(18, &tori));
+    let cases: [(&str, &Table, Change, Test); 4] = [
+        (
+            "a face is its own component, which makes one component and one handle too many",
+            &tetrahedron,
+            |columns| {
+                let apart: Vec<usize> = (0..12).filter(|h| columns.column(Column::HalfEdgeBoundary)[*h] == 1).collect();
+                for h in &apart {
+                    columns.column_mut(Column::HalfEdgeComponent)[*h] = apart[0] as u32;
+                }
+            },
+            Test::ComponentOk,
+        ),
+        (
+            "two tori are one component, with one handle by the sums",
+            &two,
+            |columns| {
+                let component = columns.column_mut(Column::HalfEdgeComponent);
+                let first = component[0];
+                component.fill(first);
+            },
+            Test::ComponentOk,
+        ),
+        (
+            "two holes without half-edges make a torus a sphere",
+            &one,
+            |columns| {
+                columns.column_mut(Column::BoundaryFace).extend([u32::MAX; 2]);
+                columns.column_mut(Column::BoundaryStart).extend([0; 2]);
+            },
+            Test::SurfaceBoundaryOk,
+        ),
+        (
+            "a boundary component is the outer one of two faces",
+            &tetrahedron,
+            |columns| columns.column_mut(Column::FaceOuter).push(0),
+            Test::SurfaceFaceOk,
+        ),
+    ];
+    for (name, mesh, change, test) in cases {
+        assert_eq!(changed(mesh, change), [test], "{name}");
+    }
 }

@@ -242,16 +242,6 @@ fn more_features_than_there_are_may_be_audited() {
     assert!(both.iter().all(|piece| piece.second.is_none()) && !both.is_empty());
 }
 
-#[test]
-fn a_map_that_is_not_plane_is_refused() {
-    let mut builder = Builder::new();
-    builder.segment([0.0, 0.0], [2.0, 2.0]).expect("in range");
-    builder.segment([0.0, 2.0], [2.0, 0.0]).expect("in range");
-    let map = builder.build().expect("small");
-    assert!(matches!(check(&map, 1, &[]), Err(CoverageError::NotPlane(_))));
-    assert!(matches!(check_parents(&map, &[], &[]), Err(CoverageError::NotPlane(_))));
-}
-
 /// Least and greatest x, and y.
 type Box = [[u8; 2]; 2];
 

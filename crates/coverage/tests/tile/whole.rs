@@ -37,7 +37,7 @@ pub(crate) fn rounds(features: &[Feature]) -> usize {
     map.noding().map_or(0, |summary| summary.rounds)
 }
 
-fn points(features: &[Feature]) -> impl Iterator<Item = Point> + Clone {
+pub(crate) fn points(features: &[Feature]) -> impl Iterator<Item = Point> + Clone {
     let points = |shape: &Shape| match shape {
         Shape::Polygon(rings) => rings.concat(),
         Shape::Line(points) => points.clone(),

@@ -1,25 +1,16 @@
 //! Windows: data outside a window has no influence on its tile.
 
 use crate::maps::{Random, feature, line};
-use crate::whole::{largest, rounds};
+use crate::whole::{largest, points, rounds};
 use twinedge_coverage::Limits;
 use twinedge_coverage::tile::{Cuts, Grid, Summary, Tile};
 use twinedge_geometry::Point;
 use twinedge_map::{Feature, Shape};
 
-fn points(feature: &Feature) -> Vec<Point> {
-    let of_shape = |shape: &Shape| match shape {
-        Shape::Polygon(rings) => rings.concat(),
-        Shape::Line(points) => points.clone(),
-        Shape::Point(point) => vec![*point],
-    };
-    feature.shapes.iter().flat_map(of_shape).collect()
-}
-
 /// The features whose boxes meet a window, with their numbers.
 fn in_window(features: &[Feature], [low, high]: [Point; 2]) -> Vec<(u32, &Feature)> {
     let meets = |(_, feature): &(u32, &Feature)| {
-        let points = points(feature);
+        let points: Vec<Point> = points(std::slice::from_ref(feature)).collect();
         let span = |of: fn(&Point) -> f64| {
             let all = points.iter().map(of);
             (all.clone().fold(f64::INFINITY, f64::min), all.fold(f64::NEG_INFINITY, f64::max))

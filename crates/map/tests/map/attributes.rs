@@ -1,8 +1,9 @@
 //! Values that follow edits, are undone with them, and are unchanged by an edit refused halfway.
 
 use crate::rewound::change;
+use crate::support::programs::check;
 use crate::support::tokens::{Handles, Mint, Mints, Tokens, handles};
-use quickcheck::{Gen, QuickCheck, Testable};
+use quickcheck::Gen;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use twinedge::dcel::{
     Audited, FaceKey, HalfEdge, HalfEdgeKey, History, OperatorError, Outside, Policy, SecondaryMap, VertexKey,
@@ -20,10 +21,6 @@ fn tokens_of(map: &mut PlanarMap, mints: &Mints, refuses: u64) -> Handles {
     let handles = handles!(map, mints, refuses);
     map.set_value(handles.faces, map.dcel().unbounded_face().key(), mints[4].purse()).unwrap();
     handles
-}
-
-fn check(tests: u64, size: usize, law: impl Testable) {
-    QuickCheck::new().rng(Gen::from_size_and_seed(size, 2026)).tests(tests).quickcheck(law);
 }
 
 #[test]

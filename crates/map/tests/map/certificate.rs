@@ -1,8 +1,9 @@
 //! Certificates of drawings: a drawing without crossings has a certificate that passes, and nothing else has.
 
+use crate::support::drawn::{Drawn, moved_inner};
 use crate::support::embeddings::validate_embedding;
 use std::cell::Cell;
-use twinedge::validate::{BoundaryPlace, Collect, Expectation, HalfEdgeRow, Link, Parts, Table, View};
+use twinedge::validate::{Collect, Expectation, HalfEdgeRow, Link, Parts, Table, View};
 use twinedge_certificate::{Column, Columns, Drawing, Labels, Test, check_drawing};
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::Snap;
@@ -11,29 +12,7 @@ use twinedge_map::{Builder, Embedding, Noding, PlanarMap};
 
 const PLANE: Expectation = Expectation::plane();
 
-/// A table with coordinates.
-#[derive(Clone)]
-struct Drawn {
-    table: Table,
-    points: Vec<Point>,
-}
-
-impl View for Drawn {
-    twinedge::delegate_view!(|this| &this.table);
-}
-
-impl Embedding for Drawn {
-    fn point(&self, vertex: usize) -> Point {
-        self.points.get(vertex).copied().unwrap_or_default()
-    }
-}
-
 impl Drawn {
-    fn new(map: &PlanarMap) -> Self {
-        let points = (0..map.vertex_slots()).map(|v| Embedding::point(map, v)).collect();
-        Self { table: Table::copy_of(map).unwrap(), points }
-    }
-
     fn is_valid(&self) -> bool {
         validate_embedding(self, &PLANE, Collect::First).is_valid()
     }
@@ -44,7 +23,7 @@ impl Drawn {
     }
 
     fn passes(&self, drawing: &Drawing) -> bool {
-        check_drawing(&self.table, &Labels::new(&self.table).unwrap(), drawing).is_ok()
+        check_drawing(&self.structure, &Labels::new(&self.structure).unwrap(), drawing).is_ok()
     }
 }
 
@@ -84,21 +63,25 @@ fn moved_vertices_are_judged_as_by_the_rules() {
     let mut numbers = Numbers(1);
     for _ in 0..150 {
         let segments = numbers.below(5);
-        let map = Drawn::new(&random_map(&mut numbers, 4, segments));
+        let map = Drawn::of(&random_map(&mut numbers, 4, segments));
         assert!(map.is_valid());
         let drawing = draw(&map).unwrap();
-        assert!(map.passes(&drawing), "{}", map.table);
+        assert!(map.passes(&drawing), "{}", map.structure);
         for v in (0..map.points.len()).filter(|v| map.is_vertex(*v)) {
             for (x, y) in (0..16).map(|i| (i % 4, i / 4)) {
                 let mut moved = map.clone();
                 moved.points[v] = Point::new(f64::from(x), f64::from(y));
                 let is_valid = moved.is_valid();
-                assert_eq!(moved.is_certified(), is_valid, "vertex {v} to {x} {y}: {}", map.table);
+                assert_eq!(moved.is_certified(), is_valid, "vertex {v} to {x} {y}: {}", map.structure);
                 // The old drawing with the point moved: if it passes, the map is valid.
                 let mut old = drawing.clone();
                 let unit = 1_i64 << (-old.exponent).max(0);
                 old.points[v] = [i64::from(x) * unit, i64::from(y) * unit];
-                assert!(!(old.exponent <= 0 && moved.passes(&old)) || is_valid, "vertex {v} to {x} {y}: {}", map.table);
+                assert!(
+                    !(old.exponent <= 0 && moved.passes(&old)) || is_valid,
+                    "vertex {v} to {x} {y}: {}",
+                    map.structure
+                );
                 *if is_valid { &mut valid } else { &mut broken } += 1;
             }
         }
@@ -112,47 +95,27 @@ fn other_topologies_on_the_same_points_are_judged_as_by_the_rules() {
     let (mut valid, mut broken) = (0, 0);
     let mut numbers = Numbers(2);
     for _ in 0..150 {
-        let map = Drawn::new(&random_map(&mut numbers, 5, 4));
+        let map = Drawn::of(&random_map(&mut numbers, 5, 4));
         let drawing = draw(&map).unwrap();
         let mut judge = |other: &Drawn| {
             let is_valid = other.is_valid();
-            assert_eq!(other.is_certified(), is_valid, "{}", other.table);
+            assert_eq!(other.is_certified(), is_valid, "{}", other.structure);
             *if is_valid { &mut valid } else { &mut broken } += 1;
             is_valid
         };
         let mut mirrored = map.clone();
         mirrored.points.iter_mut().for_each(|point| point.x = -point.x);
         judge(&mirrored);
-        for b in 0..map.table.boundaries.len() {
-            for f in 0..map.table.faces.len() {
-                if let Some(moved) = moved_inner(&map.table, b, f) {
-                    let moved = Drawn { table: moved, points: map.points.clone() };
-                    assert_eq!(moved.passes(&drawing), judge(&moved), "{}", moved.table);
+        for b in 0..map.structure.boundaries.len() {
+            for f in 0..map.structure.faces.len() {
+                if let Some(moved) = moved_inner(&map.structure, b, f) {
+                    let moved = Drawn { structure: moved, ..map.clone() };
+                    assert_eq!(moved.passes(&drawing), judge(&moved), "{}", moved.structure);
                 }
             }
         }
     }
     assert!(valid > 300 && broken > 150, "{valid} {broken}");
-}
-
-/// The table with an inner boundary component in another face.
-fn moved_inner(table: &Table, b: usize, to: usize) -> Option<Table> {
-    let mut table = table.clone();
-    let Some(BoundaryPlace::Inner(_)) = table.boundary_place(b) else { return None };
-    let from = table.boundary_face(b)?;
-    table.faces[from].as_mut()?.inner.retain(|listed| *listed != Some(b));
-    table.faces[to].as_mut()?.inner.push(Some(b));
-    for f in [from, to] {
-        for i in 0..table.inner_count(f) {
-            let listed = table.inner(f, i)?;
-            *table.boundaries[listed].as_mut()? = twinedge::validate::BoundaryRow {
-                face: Some(f),
-                place: Some(BoundaryPlace::Inner(i)),
-                ..table.boundaries[listed]?
-            };
-        }
-    }
-    Some(table)
 }
 
 /// Sets every entry of a drawing to every other value: the change is detected, or the certificate is still valid. No point of a
@@ -234,7 +197,7 @@ impl Embedding for Bent {
 fn what_has_no_certificate_is_an_error() {
     let mut map = PlanarMap::new();
     map.insert_segment([0.0, 0.0], [1.0, 1.0]).unwrap();
-    let edge = Drawn::new(&map);
+    let edge = Drawn::of(&map);
     let drawn = |from: [f64; 2], to: [f64; 2]| {
         draw(&Drawn { points: vec![Point::default(), from.into(), to.into()], ..edge.clone() }).map(drop)
     };
@@ -243,14 +206,14 @@ fn what_has_no_certificate_is_an_error() {
     let largest = (1_u64 << 51) as f64;
     assert_eq!(drawn([-largest, largest], [largest, 1.0]), Ok(()));
     assert_eq!(drawn([-largest - 1.0, 0.0], [largest, 1.0]), Err(DrawingError::NoGrid));
-    let mut map = Drawn::new(&random_map(&mut Numbers(3), 4, 3));
+    let mut map = Drawn::of(&random_map(&mut Numbers(3), 4, 3));
     map.points.iter_mut().for_each(|point| *point = Point::new(1.0, 1.0));
     assert_eq!(draw(&map), Err(DrawingError::NotPlane));
     map.points[1].x = f64::NAN;
     assert_eq!(draw(&map), Err(DrawingError::NoGrid));
     // Dangling links.
     map.points.iter_mut().for_each(|point| *point = Point::default());
-    map.table.half_edges.iter_mut().flatten().for_each(|row| *row = HalfEdgeRow::default());
+    map.structure.half_edges.iter_mut().flatten().for_each(|row| *row = HalfEdgeRow::default());
     assert_eq!(draw(&map), Err(DrawingError::NotPlane));
     assert_eq!(draw(&Bent), Err(DrawingError::Bends { half_edge: 0 }));
 }
@@ -282,7 +245,7 @@ fn what_is_unreadable_is_not_tested() {
 
 /// The tests that fail for a map whose structure or drawing was changed.
 fn failing(map: &Drawn, labels: &Labels, drawing: &Drawing) -> Vec<Test> {
-    let failures = check_drawing(&map.table, labels, drawing).err().unwrap_or_default();
+    let failures = check_drawing(&map.structure, labels, drawing).err().unwrap_or_default();
     failures.iter().map(|failure| failure.test()).collect()
 }
 
@@ -296,8 +259,8 @@ fn nested() -> (Drawn, Labels, Drawing) {
     for corners in [[[0.0, 0.0], [6.0, 0.0], [0.0, 6.0]], [[1.0, 1.0], [2.0, 1.0], [1.0, 2.0]]] {
         builder.shape(&twinedge_map::Shape::polygon(corners)).unwrap();
     }
-    let map = Drawn::new(&builder.build().unwrap());
-    let (labels, drawing) = (Labels::new(&map.table).unwrap(), draw(&map).unwrap());
+    let map = Drawn::of(&builder.build().unwrap());
+    let (labels, drawing) = (Labels::new(&map.structure).unwrap(), draw(&map).unwrap());
     (map, labels, drawing)
 }
 
@@ -379,7 +342,7 @@ fn a_half_edge_starts_where_its_dart_starts() {
     let inner: Vec<usize> =
         (0..live.len()).map(corner).filter(|v| map.points[*v].x.max(map.points[*v].y) < 3.0).collect();
     let [u, v] = [inner[1], inner[2]];
-    for row in map.table.half_edges.iter_mut().flatten() {
+    for row in map.structure.half_edges.iter_mut().flatten() {
         row.origin = row.origin.map(|origin| {
             if origin == u {
                 v
@@ -390,7 +353,7 @@ fn a_half_edge_starts_where_its_dart_starts() {
             }
         });
     }
-    map.table.vertices.swap(u, v);
+    map.structure.vertices.swap(u, v);
     assert_eq!(failing(&map, &labels, &drawing), [Test::HalfEdgeDartOk]);
 }
 
@@ -400,12 +363,12 @@ fn a_half_edge_lies_on_the_other_side_of_its_twin() {
     let mut map = PlanarMap::new();
     map.insert_segment([0.0, 0.0], [2.0, 1.0]).unwrap();
     map.insert_segment([2.0, 1.0], [4.0, 0.0]).unwrap();
-    let map = Drawn::new(&map);
-    let (labels, mut drawing) = (Labels::new(&map.table).unwrap(), draw(&map).unwrap());
+    let map = Drawn::of(&map);
+    let (labels, mut drawing) = (Labels::new(&map.structure).unwrap(), draw(&map).unwrap());
     assert_eq!(failing(&map, &labels, &drawing), []);
     let middle = map.points.iter().position(|point| *point == Point::new(2.0, 1.0)).unwrap();
     let around: Vec<u32> =
-        (0..map.table.half_edges.len()).filter(|h| map.origin(*h) == Some(middle)).map(|h| h as u32).collect();
+        (0..map.structure.half_edges.len()).filter(|h| map.origin(*h) == Some(middle)).map(|h| h as u32).collect();
     let other = |h: u32| if around.contains(&h) { around[0] + around[1] - h } else { h };
     for column in [Column::DartHalfEdge, Column::DartAhead] {
         drawing.columns.column_mut(column).iter_mut().filter(|h| **h != u32::MAX).for_each(|h| *h = other(*h));
@@ -418,7 +381,7 @@ fn a_half_edge_lies_on_the_other_side_of_its_twin() {
 #[test]
 fn the_outer_triangle_is_not_flat() {
     let table: Table = "V 0 H 0 B 0 F 1 - 0".parse().unwrap();
-    let map = Drawn { table, points: Vec::new() };
+    let map = Drawn::new(table, Vec::<Point>::new());
     let mut drawing = Drawing { points: vec![[0, 0]], ..Drawing::default() };
     let columns = [
         (Column::DartTwin, vec![0, 1, 2]),
@@ -432,7 +395,7 @@ fn the_outer_triangle_is_not_flat() {
     for (column, numbers) in columns {
         *drawing.columns.column_mut(column) = numbers;
     }
-    assert_eq!(failing(&map, &Labels::new(&map.table).unwrap(), &drawing), [Test::TriangleOk]);
+    assert_eq!(failing(&map, &Labels::new(&map.structure).unwrap(), &drawing), [Test::TriangleOk]);
 }
 
 /// The twin then has no dart, which is also reported.

@@ -1,25 +1,19 @@
 //! Programs of edits: their text, their interpretation, every edit on small maps, and shrinking.
 
-use arbitrary::{Arbitrary, Unstructured};
+use crate::support::programs::noise;
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::{Config, TestCaseError, TestError, TestRunner};
 use quickcheck::{Gen, QuickCheck};
 use std::collections::{BTreeMap, BTreeSet};
-use twinedge::program::choose::{Bytes, Choose};
+use twinedge::program::choose::Choose;
 use twinedge::program::{Expected, ParseError, candidates, shrink};
 use twinedge::validate::Rule;
 use twinedge_map::edit::EditError;
 use twinedge_map::program::*;
 use twinedge_map::{Builder, Noding, PlanarMap};
 
-/// Deterministic pseudo-random numbers.
-fn noise(seed: u64, count: usize) -> Vec<u8> {
-    let mut state = seed;
-    let mut step = || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 56) as u8
-    };
-    (0..count).map(|_| step()).collect()
+fn random(seed: u64, bytes: usize) -> EditProgram {
+    EditProgram::from_bytes(&noise(seed).take(bytes).collect::<Vec<_>>())
 }
 
 fn at(x: f64, y: f64) -> AtPick {
@@ -92,7 +86,7 @@ set_features_along h2 1
 #[test]
 fn random_programs_come_back_from_their_text() {
     for seed in 0..200 {
-        let program = EditProgram::from_bytes(&noise(seed, 300));
+        let program = random(seed, 300);
         assert!(program.0.len() > 12);
         assert_eq!(program.to_string().parse(), Ok(program));
     }
@@ -170,7 +164,7 @@ fn random_programs_keep_every_rule_and_are_refused_for_every_reason() {
     let mut counts = BTreeMap::new();
     let mut faces = 0;
     for seed in 0..150 {
-        let program = EditProgram::from_bytes(&noise(seed, 900));
+        let program = random(seed, 900);
         let mut runner = EditRunner::new(PlanarMap::new());
         let outcomes = runner.run_checked(&program).unwrap_or_else(|failure| panic!("{failure}\n{program}"));
         for outcome in &outcomes {
@@ -246,42 +240,6 @@ fn every_edit_of_a_small_grid_keeps_every_rule() {
     }
 }
 
-#[test]
-fn a_fuzzer_gets_the_program_that_its_bytes_are() {
-    for seed in 0..50 {
-        let bytes = noise(seed, 100);
-        let program = EditProgram::from_bytes(&bytes);
-        assert_eq!(<EditProgram as Arbitrary>::arbitrary_take_rest(Unstructured::new(&bytes)), Ok(program.clone()));
-        assert!(<EditOp as Arbitrary>::arbitrary(&mut Unstructured::new(&bytes)).is_ok());
-        assert!(<EditProgram as Arbitrary>::arbitrary(&mut Unstructured::new(&bytes)).is_ok());
-    }
-    assert_eq!(EditProgram::from_bytes(&[]).0, []);
-    assert!(<EditOp as Arbitrary>::arbitrary(&mut Unstructured::new(&[])).is_err());
-}
-
-#[test]
-fn generators_draw_what_they_are_told() {
-    let generator = EditProgram::generator()
-        .only(&[EditKind::InsertPoint, EditKind::RemoveVertex])
-        .weight(EditKind::InsertPoint, 3)
-        .weight(EditKind::RemoveVertex, 1)
-        .length(40..=60);
-    let mut points = 0;
-    let mut g = Gen::from_size_and_seed(5, 1);
-    for seed in 0..50 {
-        let bytes = noise(seed, 2000);
-        for drawn in [generator.generate(&mut Bytes::new(&bytes)), generator.generate(&mut g)] {
-            assert!((40..=60).contains(&drawn.0.len()));
-            points += drawn.0.iter().filter(|op| matches!(op, EditOp::InsertPoint { .. })).count();
-            let others = |op: &EditOp| !matches!(op, EditOp::InsertPoint { .. } | EditOp::RemoveVertex { .. });
-            assert!(!drawn.0.iter().any(others));
-        }
-    }
-    // 100 programs of 50 edits, three quarters of them points.
-    assert!((3500..4000).contains(&points), "{points}");
-    assert_eq!(EditProgram::generator().only(&[]).generate(&mut g).0, []);
-}
-
 /// Returns true if a program puts something into a bounded face.
 fn makes_hole(program: &EditProgram) -> bool {
     let mut runner = EditRunner::new(PlanarMap::new());
@@ -302,7 +260,7 @@ fn assert_smallest(small: &EditProgram) {
 fn shrinking_goes_on_until_nothing_more_can_be_left_out() {
     let mut lengths = Vec::new();
     for seed in 0..60 {
-        let program = EditProgram::from_bytes(&noise(seed, 600));
+        let program = random(seed, 600);
         if makes_hole(&program) {
             let small = shrink(&program, makes_hole);
             assert_smallest(&small);

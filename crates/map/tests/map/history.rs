@@ -2,16 +2,12 @@
 
 use crate::rewound::{Rewound, change};
 use crate::support::edits::EvenEdits;
-use quickcheck::{Gen, QuickCheck, Testable};
+use crate::support::programs::check;
 use twinedge::dcel::History;
 use twinedge_geometry::Point;
 use twinedge_map::edit::EditError;
 use twinedge_map::program::{EditOutcome, EditProgram, EditRunner};
 use twinedge_map::{Builder, Located, PlanarMap, Shape};
-
-fn check(tests: u64, size: usize, law: impl Testable) {
-    QuickCheck::new().rng(Gen::from_size_and_seed(size, 2026)).tests(tests).quickcheck(law);
-}
 
 #[test]
 fn edits_are_undone_and_redone_in_step_with_copies() {

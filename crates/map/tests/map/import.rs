@@ -1,30 +1,15 @@
 //! Importing structures with coordinates: equal maps with points at the correct vertices, and nothing that is not plane.
 
+use crate::support::drawn::{Drawn, points_of};
 use crate::support::tables::textbook_map;
 use quickcheck::{Gen, QuickCheck};
 use twinedge::dcel::{ImportError, Outside};
 use twinedge::program::canonical::isomorphic;
 use twinedge::validate::{Expectation, Part, Parts, Rule, Start, Table, View};
-use twinedge::{delegate_view, view_answers};
+use twinedge::view_answers;
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::Snap;
 use twinedge_map::{Builder, Embedding, Feature, MapImportError, Noding, PlanarMap, Shape};
-
-/// A structure, and the points of its vertices by index.
-struct Drawn<V> {
-    structure: V,
-    points: Vec<Point>,
-}
-
-impl<V: View> View for Drawn<V> {
-    delegate_view!(|this| &this.structure);
-}
-
-impl<V: View> Embedding for Drawn<V> {
-    fn point(&self, vertex: usize) -> Point {
-        self.points[vertex]
-    }
-}
 
 /// Two triangles that share an edge: half-edges `3f`, `3f + 1`, `3f + 2` around triangle `f`, and no twins outside.
 ///
@@ -126,7 +111,7 @@ fn what_came_in_can_be_edited() {
 
 #[test]
 fn an_open_mesh_comes_in_by_its_border() {
-    let mesh = Drawn { structure: Triangles, points: points(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [-0.0, 1.0]]) };
+    let mesh = Drawn::new(Triangles, [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [-0.0, 1.0]]);
     let (map, keys) = PlanarMap::from_view(&mesh, &MESH.open(), Outside::Border).unwrap();
     assert_eq!((map.dcel().vertex_count(), map.dcel().edge_count(), map.dcel().face_count()), (4, 5, 3));
     for v in 0..4 {
@@ -142,7 +127,7 @@ fn a_closed_mesh_comes_in_by_the_face_around_it() {
     let from_above = points(&[[0.0, 0.0], [1.0, 1.0], [3.0, 0.0], [0.0, 3.0]]);
     let from_below: Vec<Point> = from_above.iter().map(|p| Point::new(p.y, p.x)).collect();
     let outcomes = [from_above, from_below].map(|points| {
-        let mesh = Drawn { structure: Tetrahedron, points };
+        let mesh = Drawn::new(Tetrahedron, points);
         PlanarMap::from_view(&mesh, &MESH, Outside::Face(3))
     });
     let (taken, refused): (Vec<_>, Vec<_>) = outcomes.into_iter().partition(Result::is_ok);
@@ -165,9 +150,8 @@ fn square() -> PlanarMap {
 fn coordinates_that_do_not_draw_it() {
     let map = square();
     let moved = |from: [f64; 2], to: [f64; 2]| {
-        let points =
-            (0..map.vertex_slots()).map(|v| map.point(v)).map(|p| if p == from.into() { to.into() } else { p });
-        let drawn = Drawn { structure: map.clone(), points: points.collect() };
+        let points = points_of(&map).into_iter().map(|p| if p == from.into() { to.into() } else { p });
+        let drawn = Drawn::new(map.clone(), points);
         PlanarMap::from_view(&drawn, &Expectation::plane(), Outside::Given)
     };
     assert!(moved([1.0, 1.0], [3.0, 3.0]).is_ok());
@@ -192,7 +176,7 @@ fn broken_links() {
     let map = square();
     let mut table = Table::copy_of(&map).unwrap();
     table.half_edges[2].as_mut().unwrap().twin = Some(2);
-    let broken = Drawn { structure: table, points: (0..map.vertex_slots()).map(|v| map.point(v)).collect() };
+    let broken = Drawn::new(table, points_of(&map));
     let error = PlanarMap::from_view(&broken, &Expectation::plane(), Outside::Given).unwrap_err();
     assert!(matches!(error, MapImportError::Invalid(_)), "{error}");
     assert_eq!(error.report().unwrap().first().unwrap().rule(), Rule::L1);
@@ -200,7 +184,7 @@ fn broken_links() {
 
 #[test]
 fn topology_without_an_outside() {
-    let mesh = Drawn { structure: Tetrahedron, points: points(&[[0.0, 0.0], [1.0, 1.0], [3.0, 0.0], [0.0, 3.0]]) };
+    let mesh = Drawn::new(Tetrahedron, [[0.0, 0.0], [1.0, 1.0], [3.0, 0.0], [0.0, 3.0]]);
     let error = PlanarMap::from_view(&mesh, &MESH, Outside::Face(7)).unwrap_err();
     assert_eq!(error, MapImportError::Topology(ImportError::NoSuchFace(7)));
     assert_eq!((error.report(), error.to_string().as_str()), (None, "there is no face 7 to become the unbounded one"));
@@ -216,7 +200,7 @@ fn a_textbook_table_comes_in() {
         [(None, &[Start::HalfEdge(1)]), (Some(0), &[Start::HalfEdge(7)]), (Some(6), &[])];
     let table = textbook_map(6, &half_edges, &faces);
     let outer_and_inner = [[0.0, 0.0], [10.0, 0.0], [0.0, 10.0], [1.0, 1.0], [2.0, 1.0], [1.0, 2.0]];
-    let drawn = Drawn { structure: table, points: points(&outer_and_inner) };
+    let drawn = Drawn::new(table, outer_and_inner);
     let (map, keys) = PlanarMap::from_view(&drawn, &Expectation::plane(), Outside::Given).unwrap();
     let inside = map.dcel().half_edge(keys.half_edge(7).unwrap()).unwrap();
     assert_eq!(keys.face(1), Some(inside.face().key()));

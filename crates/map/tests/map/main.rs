@@ -6,6 +6,7 @@
 mod support {
     #[path = "../../../../../tests/support/changes.rs"]
     pub(crate) mod changes;
+    pub(crate) mod drawn;
     pub(crate) mod edits;
     pub(crate) mod embeddings;
     #[path = "../../../../../tests/support/erased.rs"]
@@ -19,6 +20,8 @@ mod support {
     #[path = "../../../../../tests/support/only_live.rs"]
     pub(crate) mod only_live;
     pub(crate) mod oracle;
+    #[path = "../../../../../tests/support/programs.rs"]
+    pub(crate) mod programs;
     #[path = "../../../../../tests/support/saved.rs"]
     pub(crate) mod saved;
     #[path = "../../../../../tests/support/tables.rs"]

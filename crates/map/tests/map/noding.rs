@@ -1,9 +1,9 @@
 //! Maps of segments that cross, touch and overlap: cut exactly, or snapped to a grid, with features that follow.
 
 use crate::location::maps::features;
+use crate::support::drawn::area;
 use quickcheck::{Gen, QuickCheck, TestResult};
 use std::collections::BTreeSet;
-use twinedge::dcel::Face;
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::{NodingSummary, Snap};
 use twinedge_map::{BuildError, Builder, Feature, FeatureId, Noding, PlanarMap, Shape};
@@ -36,13 +36,6 @@ fn segments(segments: &[(Whole, Whole)]) -> Builder {
 
 fn counts(map: &PlanarMap) -> [usize; 3] {
     [map.dcel().vertex_count(), map.dcel().edge_count(), map.dcel().face_count()]
-}
-
-fn area(map: &PlanarMap, face: Face<'_>) -> f64 {
-    let at = |v: twinedge::dcel::Vertex<'_>| map.position(v.key()).expect("of this map");
-    let twice: f64 =
-        face.half_edges().map(|h| (at(h.origin()), at(h.target()))).map(|(p, q)| p.x * q.y - q.x * p.y).sum();
-    twice / 2.0
 }
 
 /// The bounded faces, each with its features and its area.

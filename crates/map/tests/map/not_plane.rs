@@ -2,7 +2,7 @@
 
 use twinedge_algorithm::lattice;
 use twinedge_algorithm::overlay::overlay;
-use twinedge_coverage::{Limits, check};
+use twinedge_coverage::{Limits, check, layers};
 use twinedge_geometry::noding::Snap;
 use twinedge_map::{Builder, PlanarMap, QueryLine};
 
@@ -27,6 +27,8 @@ fn a_refusal_says_where_edges_meet_and_what_cuts_them() {
             map.locate([5.0, 5.0].into()).unwrap_err().to_string(),
             lattice::of_map(&map).unwrap_err().to_string(),
             check(&map, &Limits::default()).unwrap_err().to_string(),
+            layers::check(&map, 1, &[]).unwrap_err().to_string(),
+            layers::check_parents(&map, &[], &[]).unwrap_err().to_string(),
             overlay(&map, &PlanarMap::new(), Snap::Auto).unwrap_err().to_string(),
         ];
         refusals.push(map.insert_point([5.0, 5.0]).unwrap_err().to_string());

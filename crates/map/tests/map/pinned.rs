@@ -1,26 +1,14 @@
 //! Pinned bytes, text, form and candidates of programs of edits: corpora and regression tests keep their meaning.
 
+use crate::support::programs::{drawn, pinned};
 use arbitrary::{Arbitrary, Unstructured};
-use twinedge::program::choose::{Choose, Random};
+use twinedge::program::choose::Random;
 use twinedge::program::{Program, candidates};
 use twinedge_map::program::{EditKind, EditProgram};
 
-/// Deterministic pseudo-random bytes.
-fn noise(count: usize) -> Vec<u8> {
-    let mut random = Random::seeded(52);
-    (0..count).map(|_| random.choose(256) as u8).collect()
-}
-
-#[track_caller]
-fn pinned(text: &str, expected: u64) {
-    let fnv = |sum: u64, byte: u8| (sum ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01B3);
-    let found = text.bytes().fold(0xCBF2_9CE4_8422_2325, fnv);
-    assert!(found == expected, "the checksum is {found:#018x}, of {} bytes: {:.300}", text.len(), text);
-}
-
 #[test]
 fn bytes_are_the_programs_that_they_were() {
-    let bytes = noise(20_000);
+    let bytes = drawn(20_000);
     pinned(&EditProgram::from_bytes(&bytes).to_string(), 0x9070_4C81_7D47_C48C);
     pinned(&EditProgram::arbitrary(&mut Unstructured::new(&bytes)).unwrap().to_string(), 0x7B8A_3488_6836_25FA);
     pinned(&EditProgram::arbitrary_take_rest(Unstructured::new(&bytes)).unwrap().to_string(), 0x9070_4C81_7D47_C48C);
@@ -37,14 +25,14 @@ fn random_programs_are_those_that_they_were() {
 
 #[test]
 fn programs_are_printed_as_they_were() {
-    let bytes = noise(5_000);
+    let bytes = drawn(5_000);
     let both = format!("{:?} {:?}", Program::from_bytes(&bytes), EditProgram::from_bytes(&bytes));
     pinned(&both, 0xD921_D5DB_06B3_5DBF);
 }
 
 #[test]
 fn candidates_are_those_that_they_were() {
-    let edits = EditProgram::from_bytes(&noise(60));
+    let edits = EditProgram::from_bytes(&drawn(60));
     let text: String = candidates(&edits).map(|smaller| smaller.to_string()).collect();
     pinned(&text, 0xF595_6AC2_DA6C_D0E4);
 }

@@ -1,9 +1,10 @@
 //! Building maps: merged, dropped and refused input, nesting, and the faces that each feature covers.
 
 use crate::location::maps::world_110m;
+use crate::support::drawn::area;
 use quickcheck::{QuickCheck, TestResult};
 use std::collections::BTreeSet;
-use twinedge::dcel::{Boundary, Face};
+use twinedge::dcel::Face;
 use twinedge_geometry::Point;
 use twinedge_map::{BuildError, Builder, Feature, FeatureId, PlanarMap, Position, Shape};
 
@@ -17,22 +18,6 @@ fn rectangle([x0, y0]: [i32; 2], [x1, y1]: [i32; 2]) -> Vec<Point> {
     ring.extend((y0 + 1..=y1).rev().map(|y| at(x0, y)));
     ring.push(at(x0, y0));
     ring
-}
-
-/// The area to the left of a boundary component: negative for holes.
-fn area_left(map: &PlanarMap, boundary: Boundary<'_>) -> f64 {
-    let at = |vertex: twinedge::dcel::Vertex<'_>| map.position(vertex.key()).expect("it is of this map");
-    boundary
-        .half_edges()
-        .map(|h| {
-            let (p, q) = (at(h.origin()), at(h.target()));
-            (p.x * q.y - q.x * p.y) / 2.0
-        })
-        .sum()
-}
-
-fn area(map: &PlanarMap, face: Face<'_>) -> f64 {
-    face.boundaries().map(|b| area_left(map, b)).sum()
 }
 
 /// The area of all faces that a feature covers.

@@ -1,11 +1,9 @@
 //! `corrupt` and `tables`, with correct validators and with faulty ones.
 
 use super::incomplete::Partial;
-use super::limited;
+use super::{limited, pointers, slots};
 use std::sync::atomic::{AtomicU64, Ordering};
-use twinedge::dcel::Dcel;
 use twinedge::validate::{Expectation, Part, Rule, Table};
-use twinedge_trials::RawPointers;
 use twinedge_trials::corrupt::{CorruptResults, CorruptWork, ExpectationRow, Family, Tally, abort};
 use twinedge_trials::tables::{TablesResults, TablesWork};
 use twinedge_trials::{Checker, Outcome, Run, Structure, StructureError, Validator, Verdict, corrupt, tables};
@@ -20,10 +18,6 @@ impl Checker for Wrong {
 }
 
 const WORK: CorruptWork = CorruptWork { edges: 1, pairs: 1_000, seed: 7 };
-
-fn slots() -> Structure<Dcel> {
-    Structure::new("slots", Dcel::new, Expectation::plane())
-}
 
 fn corrupted(checker: &dyn Checker) -> Outcome<CorruptResults> {
     corrupt(&slots(), WORK, checker, &Run::default(), &abort).unwrap()
@@ -216,7 +210,7 @@ fn each_table_is_shown_once_with_its_verdict() {
 
 #[test]
 fn a_structure_without_records_for_boundary_components_has_one_form() {
-    let model = Structure::new("pointers", RawPointers::new, Expectation::plane());
+    let model = pointers();
     let outcome = corrupt(&model, WORK, &Validator, &Run::default(), &abort).unwrap();
     assert!(outcome.is_ok(), "{:?}", outcome.reasons());
     assert!(outcome.fields.iter().all(|row| row.form == Family::Textbook));

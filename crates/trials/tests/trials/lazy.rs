@@ -20,10 +20,14 @@ impl Acceptor for NoLoops {
     }
 }
 
-const MAP: Parts = Parts::NONE.with(Part::Prev).with(Part::Leaving);
-const RECORDS: Parts = MAP.with(Part::Places);
+pub(crate) const MAP: Parts = Parts::NONE.with(Part::Prev).with(Part::Leaving);
+pub(crate) const RECORDS: Parts = MAP.with(Part::Places);
 
-fn work(expectation: Expectation, parts: Parts, [vertices, half_edges, boundaries, faces]: [usize; 4]) -> LazyWork {
+pub(crate) fn work(
+    expectation: Expectation,
+    parts: Parts,
+    [vertices, half_edges, boundaries, faces]: [usize; 4],
+) -> LazyWork {
     LazyWork { expectation, parts, vertices, half_edges, boundaries, faces, vacant: false, certificates: false }
 }
 

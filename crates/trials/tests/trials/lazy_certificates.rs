@@ -1,17 +1,16 @@
 //! All tables of a size, each with all labels: acceptance by the checker of certificates and by the reference.
 
+use super::lazy::{MAP, RECORDS};
 use std::cell::Cell;
 use twinedge::validate::{Expectation, Part, Parts, View};
 use twinedge_certificate::{Column, Columns, Numbers, passes, passes_surface};
 use twinedge_trials::lazy::{Acceptor, LazyColumn, LazyError, LazyLabels, LazyResults, LazyWork};
 use twinedge_trials::{Outcome, Run, Shard, Validator, lazy, sum};
 
-const MAP: Parts = Parts::NONE.with(Part::Prev).with(Part::Leaving);
-const RECORDS: Parts = MAP.with(Part::Places);
 const NAMES: Parts = MAP.with(Part::Holes).with(Part::UnboundedFace);
 
-fn work(expectation: Expectation, parts: Parts, [vertices, half_edges, boundaries, faces]: [usize; 4]) -> LazyWork {
-    LazyWork { expectation, parts, vertices, half_edges, boundaries, faces, vacant: false, certificates: true }
+fn work(expectation: Expectation, parts: Parts, sizes: [usize; 4]) -> LazyWork {
+    LazyWork { certificates: true, ..super::lazy::work(expectation, parts, sizes) }
 }
 
 fn judged(acceptor: &dyn Acceptor, work: LazyWork) -> Outcome<LazyResults> {

@@ -1,17 +1,10 @@
 //! `prove`.
 
 use super::incomplete::Partial;
-use super::limited;
-use twinedge::dcel::Dcel;
+use super::{limited, panics, pointers, slots};
 use twinedge::validate::{Expectation, Part};
-use twinedge_trials::RawPointers;
-use twinedge_trials::planted::Planted;
 use twinedge_trials::prove::{ProveResults, ProveWork};
 use twinedge_trials::{Outcome, Progress, Run, Structure, StructureError, prove};
-
-fn slots() -> Structure<Dcel> {
-    Structure::new("slots", Dcel::new, Expectation::plane())
-}
 
 fn counts(outcome: &Outcome<ProveResults>) -> Vec<[u64; 5]> {
     let rows = outcome.edges.iter();
@@ -40,7 +33,7 @@ fn the_maps_of_up_to_four_edges_are_as_many_as_published() {
 fn every_structure_does_the_same() {
     let work = ProveWork { edges: 2 };
     let expected = prove(&slots(), work, &Run::default()).unwrap();
-    let model = Structure::new("pointers", RawPointers::new, Expectation::plane());
+    let model = pointers();
     let roomy = Structure::new("limited", || limited([24, 40, 40, 24]), Expectation::plane());
     for found in [prove(&model, work, &Run::default()).unwrap(), prove(&roomy, work, &Run::default()).unwrap()] {
         assert!(found.is_ok(), "{}: {:?}", found.on, found.reasons());
@@ -62,7 +55,7 @@ fn a_structure_without_room_falls_short_of_the_counts() {
 
 #[test]
 fn a_panic_is_a_finding() {
-    let panics = Structure::new("panics", Planted::<true>::default, Expectation::plane());
+    let panics = panics();
     let outcome = prove(&panics, ProveWork { edges: 1 }, &Run::default()).unwrap();
     let finding = &outcome.findings[0];
     assert!(finding.message.starts_with("panicked: a planted panic ("), "{finding}");

@@ -1,9 +1,8 @@
 //! Parts of the work add up to the whole.
 
+use super::{panics, pointers, slots};
 use std::time::Duration;
-use twinedge::dcel::Dcel;
 use twinedge::validate::Expectation;
-use twinedge_trials::RawPointers;
 use twinedge_trials::corrupt::{CorruptResults, CorruptWork, abort};
 use twinedge_trials::planted::Planted;
 use twinedge_trials::prove::ProveWork;
@@ -13,14 +12,6 @@ use twinedge_trials::tables::{TablesResults, TablesWork};
 use twinedge_trials::{
     Outcome, Progress, Results, Run, Shard, Structure, SumError, Validator, corrupt, prove, sample, soak, sum, tables,
 };
-
-fn slots() -> Structure<Dcel> {
-    Structure::new("slots", Dcel::new, Expectation::plane())
-}
-
-fn model() -> Structure<RawPointers> {
-    Structure::new("pointers", RawPointers::new, Expectation::plane())
-}
 
 /// Returns the outcomes of all parts, the last first.
 fn parts<R: Results>(count: u32, part: impl Fn(&Run<'_>) -> Outcome<R>) -> Vec<Outcome<R>> {
@@ -49,12 +40,12 @@ fn parts_of_prove_add_up() {
     let whole = adds_up(&[1, 3, 16], |run| prove(&slots(), ProveWork { edges: 3 }, run).unwrap());
     assert!(whole.is_ok(), "{:?}", whole.reasons());
     // More parts than the 3 connected maps of up to 1 edge.
-    adds_up(&[20], |run| prove(&model(), ProveWork { edges: 1 }, run).unwrap());
+    adds_up(&[20], |run| prove(&pointers(), ProveWork { edges: 1 }, run).unwrap());
 }
 
 #[test]
 fn violations_of_the_parts_of_prove_add_up() {
-    let panics = Structure::new("panics", Planted::<true>::default, Expectation::plane());
+    let panics = panics();
     let work = ProveWork { edges: 2 };
     let whole = prove(&panics, work, &Run::default()).unwrap();
     let parts = parts(4, |run| prove(&panics, work, run).unwrap());
@@ -102,7 +93,7 @@ fn parts_of_sample_add_up() {
 #[test]
 fn parts_of_soak_add_up() {
     let work = SoakWork { programs: 20, steps: 30, seed: 5 };
-    let whole = adds_up(&[1, 3, 32], |run| soak(&[&slots(), &model()], work, run));
+    let whole = adds_up(&[1, 3, 32], |run| soak(&[&slots(), &pointers()], work, run));
     assert!(whole.is_ok() && whole.structures.iter().all(|row| row.programs == 20));
 }
 

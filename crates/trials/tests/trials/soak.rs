@@ -1,38 +1,15 @@
 //! `soak` and `replay`.
 
 use super::incomplete::Partial;
+use super::{panics, slots};
 use std::sync::atomic::{AtomicUsize, Ordering};
-use twinedge::dcel::Dcel;
 use twinedge::program::{Call, Program, StepOutcome};
 use twinedge::validate::{Expectation, Part};
-use twinedge_trials::RawPointers;
 use twinedge_trials::TestSource;
-use twinedge_trials::planted::Planted;
 use twinedge_trials::soak::{Comparable, End, SoakWork};
 use twinedge_trials::{Progress, Run, Silent, Structure, replay, soak};
 
 const WORK: SoakWork = SoakWork { programs: 30, steps: 40, seed: 1 };
-
-fn slots() -> Structure<Dcel> {
-    Structure::new("slots", Dcel::new, Expectation::plane())
-}
-
-fn panics() -> Structure<Planted<true>> {
-    Structure::new("panics", Planted::<true>::default, Expectation::plane())
-}
-
-#[test]
-fn sound_structures_do_the_same() {
-    let model = Structure::new("pointers", RawPointers::new, Expectation::plane());
-    // An operator whose arguments cannot be chosen is skipped, so it takes some programs until many are refused.
-    let work = SoakWork { programs: 50, ..WORK };
-    let outcome = soak(&[&slots(), &model], work, &Run::default()).into_result().unwrap();
-    let [slots, model] = &outcome.structures[..] else { panic!("{outcome:?}") };
-    assert_eq!((slots.programs, slots.cut_short), (50, 0));
-    assert_eq!((slots.applied, slots.refused, slots.skipped), (model.applied, model.refused, model.skipped));
-    assert_eq!(slots.applied + slots.refused + slots.skipped, 50 * 40);
-    assert!(slots.applied > 300 && slots.refused > 100, "{slots:?}");
-}
 
 #[test]
 fn a_failing_program_is_made_small() {

@@ -1,5 +1,6 @@
 //! Edges with bends: the verdict equals that on the map with a vertex at each bend, and violations name bends.
 
+use crate::support::drawn::{Drawn, moved_inner};
 use crate::support::embeddings::validate_embedding;
 use crate::support::only_live::OnlyLive;
 use std::collections::BTreeMap;
@@ -13,40 +14,6 @@ use twinedge_geometry::{MAX_COORDINATE, Point};
 use twinedge_map::{Builder, Embedding, Noding, PlanarMap, places};
 
 const PLANE: Expectation = Expectation::plane();
-
-/// A map as tables, with a point at each vertex and bends in its edges.
-#[derive(Clone)]
-struct Drawn {
-    table: Table,
-    points: Vec<Point>,
-    /// For the half-edge with the smaller index, in its direction.
-    bends: BTreeMap<usize, Vec<Point>>,
-}
-
-impl View for Drawn {
-    delegate_view!(|this| &this.table);
-}
-
-impl Embedding for Drawn {
-    fn point(&self, vertex: usize) -> Point {
-        self.points[vertex]
-    }
-
-    fn bends(&self, half_edge: usize) -> usize {
-        assert!(self.twin(half_edge).is_none_or(|t| half_edge < t), "half-edge {half_edge} is not the one to be asked");
-        self.bends.get(&half_edge).map_or(0, Vec::len)
-    }
-
-    fn bend(&self, half_edge: usize, bend: usize) -> Point {
-        self.bends[&half_edge][bend]
-    }
-}
-
-impl Drawn {
-    fn report(&self) -> Report {
-        validate_embedding(self, &PLANE, Collect::All)
-    }
-}
 
 /// A map twice: with all of its vertices, and with some vertices of degree 2 as bends.
 struct Twice {
@@ -94,9 +61,7 @@ impl Random {
 impl Twice {
     /// Turns some of the vertices with two edges into bends, and keeps at least one vertex in each component.
     fn of(map: &PlanarMap, random: &mut Random) -> Self {
-        let table = Table::copy_of(map).expect("a small map fits");
-        let points: Vec<Point> = (0..map.vertex_slots()).map(|v| map.point(v)).collect();
-        let straight = Drawn { table, points, bends: BTreeMap::new() };
+        let straight = Drawn::of(map);
         let view = &straight;
         let live = || (0..view.half_edge_slots()).filter(|h| view.is_half_edge(*h));
         let follow = |link: Link| link.expect("a right map has all links");
@@ -132,9 +97,9 @@ impl Twice {
         };
         let mut bent = straight.clone();
         for h in live() {
-            let row = bent.table.half_edges[h].as_mut().expect("it is live");
+            let row = bent.structure.half_edges[h].as_mut().expect("it is live");
             let Some(last) = chains.get(&h).and_then(|chain| chain.last()) else {
-                bent.table.half_edges[h] = None;
+                bent.structure.half_edges[h] = None;
                 continue;
             };
             row.next = Some(next(*last));
@@ -145,22 +110,22 @@ impl Twice {
                 bent.bends.insert(h, bends);
             }
         }
-        for boundary in bent.table.boundaries.iter_mut().flatten() {
+        for boundary in bent.structure.boundaries.iter_mut().flatten() {
             if let Some(Start::HalfEdge(h)) = &mut boundary.start {
                 *h = first_of(*h);
             }
         }
         for (v, _) in is_bend.iter().enumerate().filter(|(_, bend)| **bend) {
-            bent.table.vertices[v] = None;
+            bent.structure.vertices[v] = None;
         }
-        for v in bent.table.vertices.iter_mut().flatten() {
+        for v in bent.structure.vertices.iter_mut().flatten() {
             v.leaving = v.leaving.map(first_of);
         }
         Self { straight, bent, chains }
     }
 
     fn expect_same(&self, what: &str) {
-        let (straight, bent) = (self.straight.report(), self.bent.report());
+        let (straight, bent) = (self.straight.report(&PLANE), self.bent.report(&PLANE));
         let verdicts = |report: &Report| -> Vec<(Rule, bool, Option<Unchecked>)> {
             // New vertices may make a map simple, which changes T4.
             let of_maps = report.outcomes().filter(|(rule, _)| *rule != Rule::T4);
@@ -192,7 +157,7 @@ impl Twice {
         let straight = |table: &mut Table, h: usize, set: &dyn Fn(&mut twinedge::validate::HalfEdgeRow)| {
             set(table.half_edges[h].as_mut().expect("it is live"));
         };
-        let (a, b) = (&mut self.straight.table, &mut self.bent.table);
+        let (a, b) = (&mut self.straight.structure, &mut self.bent.structure);
         match random.below(5) {
             0 => {
                 straight(a, last, &|row| row.next = Some(to));
@@ -234,7 +199,7 @@ impl Twice {
     /// Lists a hole in another face, consistently.
     fn move_hole(&mut self, random: &mut Random) {
         let choice = (random.below(64), random.below(64));
-        for table in [&mut self.straight.table, &mut self.bent.table] {
+        for table in [&mut self.straight.structure, &mut self.bent.structure] {
             let holes: Vec<(usize, usize)> =
                 (0..table.face_slots()).flat_map(|f| (0..table.inner_count(f)).map(move |i| (f, i))).collect();
             if holes.is_empty() {
@@ -242,19 +207,8 @@ impl Twice {
             }
             let (from, at) = holes[choice.0 % holes.len()];
             let live: Vec<usize> = (0..table.face_slots()).filter(|f| table.is_face(*f)).collect();
-            let to = live[choice.1 % live.len()];
-            let row = |f: usize, table: &mut Table| std::mem::take(&mut table.faces[f].as_mut().expect("live").inner);
-            let mut inner = row(from, table);
-            let moved = inner.remove(at);
-            table.faces[from].as_mut().expect("live").inner = inner;
-            table.faces[to].as_mut().expect("live").inner.push(moved);
-            for f in [from, to] {
-                for i in 0..table.inner_count(f) {
-                    let b = table.inner(f, i).expect("a right list has no gap");
-                    let boundary = table.boundaries[b].as_mut().expect("live");
-                    (boundary.face, boundary.place) = (Some(f), Some(twinedge::validate::BoundaryPlace::Inner(i)));
-                }
-            }
+            let moved = table.inner(from, at).expect("a right list has no gap");
+            *table = moved_inner(table, moved, live[choice.1 % live.len()]).expect("it is an inner one");
         }
     }
 }
@@ -267,7 +221,7 @@ fn a_map_with_bends_is_judged_as_the_map_with_a_vertex_at_each() {
         let map = random.map();
         let right = Twice::of(&map, &mut random);
         bends += right.bent.bends.values().flatten().count();
-        assert!(right.bent.report().is_valid(), "{}", right.bent.report());
+        assert!(right.bent.report(&PLANE).is_valid(), "{}", right.bent.report(&PLANE));
         right.expect_same("right");
         for _ in 0..4 {
             let mut moved = Twice::of(&map, &mut random);
@@ -284,7 +238,7 @@ fn a_map_with_bends_is_judged_as_the_map_with_a_vertex_at_each() {
                 moved.move_hole(&mut random);
             }
             moved.expect_same(&format!("moved in round {round}"));
-            let report = moved.bent.report();
+            let report = moved.bent.report(&PLANE);
             for (count, rule) in broken.iter_mut().zip([Rule::G1, Rule::G2, Rule::G3, Rule::G4, Rule::G5]) {
                 *count += usize::from(report.outcome(rule).is_some_and(|outcome| outcome.violations > 0));
             }
@@ -312,8 +266,8 @@ fn two_edges(ends: [[f64; 2]; 4], bends: [&[[f64; 2]]; 2]) -> Drawn {
         ends[i].into()
     };
     let points: Vec<Point> = (0..map.vertex_slots()).map(place).collect();
-    let mut drawn = Drawn { table, points, bends: BTreeMap::new() };
-    for (i, (h, line)) in edges(&drawn.table).into_iter().zip(bends).enumerate() {
+    let mut drawn = Drawn::new(table, points);
+    for (i, (h, line)) in edges(&drawn.structure).into_iter().zip(bends).enumerate() {
         let at = drawn.points[drawn.origin(h).expect("it has one")];
         assert_eq!(at, ends[2 * i].into(), "the builder keeps the order and the direction of segments");
         drawn.bends.insert(h, line.iter().map(|p| (*p).into()).collect());
@@ -334,14 +288,14 @@ type Line = &'static [[f64; 2]];
 
 /// The only violation, with its points.
 fn only(drawn: &Drawn) -> (Violation, Vec<[f64; 2]>) {
-    let report = drawn.report();
+    let report = drawn.report(&PLANE);
     let [violation] = report.violations() else { panic!("{report}") };
     (*violation, places(drawn, violation).into_iter().map(Into::into).collect())
 }
 
 #[test]
 fn g1_names_the_bend() {
-    let [first, second] = edges(&two_edges(ENDS, [&[], &[]]).table);
+    let [first, second] = edges(&two_edges(ENDS, [&[], &[]]).structure);
     let (violation, at) = only(&two_edges(ENDS, [&[[5.0, f64::INFINITY]], &[]]));
     assert_eq!(violation, Violation::BendNotFinite { half_edge: first, bend: 0 });
     let sentence = format!("bend 0 of half-edge {first} has a coordinate that is not finite, or out of range");
@@ -368,7 +322,7 @@ fn g4_names_the_segments_and_the_bends() {
     ];
     for (first, second, kind) in kinds {
         let drawn = two_edges(ENDS, [first, second]);
-        let report = drawn.report();
+        let report = drawn.report(&PLANE);
         let broken: Vec<_> = report.outcomes().filter(|(_, outcome)| outcome.violations > 0).collect();
         assert_eq!(broken.len(), 1, "{kind}: {report}");
         let found = report.violations().iter().find(|violation| violation.kind() == kind);
@@ -386,7 +340,7 @@ fn g4_names_the_segments_and_the_bends() {
 #[test]
 fn g4_numbers_the_bends_of_each_edge_from_its_first() {
     let drawn = two_edges(ENDS, [&[[1.0, 1.0], [5.0, 4.0]], &[[2.0, 7.0], [5.0, 4.0]]]);
-    let [first, second] = edges(&drawn.table);
+    let [first, second] = edges(&drawn.structure);
     let same = Violation::BendsAtSamePlace { first, first_bend: 1, second, second_bend: 1 };
     assert_eq!(only(&drawn), (same, vec![[5.0, 4.0]]));
     // The places of a crossing are the ends of the segments, not of the edges.
@@ -398,7 +352,7 @@ fn g4_numbers_the_bends_of_each_edge_from_its_first() {
 #[test]
 fn a_drawing_is_the_same_behind_a_reference_in_a_box_and_as_what_it_stores() {
     let drawn = two_edges(ENDS, [&[[5.0, 9.0]], &[]]);
-    let report = drawn.report();
+    let report = drawn.report(&PLANE);
     assert!(report.broken_rules().eq([Rule::G4]), "{report}");
     let judge = |drawn: &dyn Embedding| validate_embedding(drawn, &PLANE, Collect::All);
     assert_eq!(judge(&&drawn), report);
@@ -419,7 +373,7 @@ fn bends_of_the_last_half_edge_are_read_at_an_open_boundary() {
         ..Table::default()
     };
     let points = [[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]].map(Into::into).to_vec();
-    let drawn = Drawn { table, points, bends: BTreeMap::from([(2, vec![Point::new(2.0, -2.0)])]) };
+    let drawn = Drawn { structure: table, points, bends: BTreeMap::from([(2, vec![Point::new(2.0, -2.0)])]) };
     let report = validate_embedding(&drawn, &PLANE.open(), Collect::All);
     assert!(report.broken_rules().eq([Rule::G4]), "{report}");
 }
@@ -452,7 +406,7 @@ impl Embedding for Strict {
 #[test]
 fn what_is_not_there_has_no_place() {
     let drawn = Strict(two_edges(ENDS, [&[[5.0, 1.0]], &[]]));
-    let [first, _] = edges(&drawn.0.table);
+    let [first, _] = edges(&drawn.0.structure);
     let at = |violation: Violation| places(&drawn, &violation).into_iter().map(Into::into).collect::<Vec<[f64; 2]>>();
     let (vertex, half_edge) = (drawn.vertex_slots(), drawn.half_edge_slots());
     let boundary = (0..drawn.boundary_slots()).find(|b| drawn.is_boundary(*b)).expect("each edge has one");
@@ -474,7 +428,7 @@ fn points_out_of_range_are_shown_where_they_can_be_drawn() {
         let mut drawn = two_edges(ENDS, [&[], &[]]);
         let vertex = drawn.points.iter().position(|p| *p == ENDS[1].into()).expect("it is one of the ends");
         drawn.points[vertex] = Point::new(x, 0.0);
-        let report = drawn.report();
+        let report = drawn.report(&PLANE);
         let found = report.first().copied();
         assert_eq!(found, Some(Violation::NotFinite { vertex }));
         places(&drawn, &Violation::NotFinite { vertex }).len()
@@ -486,7 +440,7 @@ fn points_out_of_range_are_shown_where_they_can_be_drawn() {
 fn more_bends_than_can_be_numbered_are_not_read() {
     struct Claims(Drawn);
     impl View for Claims {
-        delegate_view!(|this| &this.0.table);
+        delegate_view!(|this| &this.0.structure);
     }
     impl Embedding for Claims {
         fn point(&self, vertex: usize) -> Point {
@@ -508,7 +462,7 @@ struct Fickle {
 }
 
 impl View for Fickle {
-    delegate_view!(|this| &this.drawn.table);
+    delegate_view!(|this| &this.drawn.structure);
 }
 
 impl Embedding for Fickle {
@@ -517,12 +471,12 @@ impl Embedding for Fickle {
     }
 
     fn bends(&self, half_edge: usize) -> usize {
-        assert!(half_edge < self.drawn.table.half_edge_slots());
+        assert!(half_edge < self.drawn.structure.half_edge_slots());
         self.random.borrow_mut().below(4)
     }
 
     fn bend(&self, half_edge: usize, bend: usize) -> Point {
-        assert!(half_edge < self.drawn.table.half_edge_slots() && bend < 4);
+        assert!(half_edge < self.drawn.structure.half_edge_slots() && bend < 4);
         let mut random = self.random.borrow_mut();
         if random.below(40) == 0 { Point::new(f64::NAN, f64::INFINITY) } else { random.point(0, 16) }
     }

@@ -1,27 +1,26 @@
 //! G1 … G5: each broken alone, if possible, and named correctly.
 
+use crate::support::drawn::{Drawn, points_of};
 use crate::support::embeddings::validate_embedding;
 use twinedge::dcel::{Dcel, HalfEdge};
 use twinedge::delegate_view;
-use twinedge::validate::{Collect, Expectation, Link, Parts, Record, Report, Rule, Table, Unchecked, View, Violation};
+use twinedge::validate::{Collect, Expectation, Link, Parts, Record, Rule, Table, Unchecked, View, Violation};
 use twinedge_geometry::Point;
 use twinedge_map::{Builder, Embedding, PlanarMap, places};
 
+const PLANE: Expectation = Expectation::plane();
+
 /// A structure with other coordinates than its map.
-struct Redrawn {
-    dcel: Dcel,
-    points: Vec<Point>,
+type Redrawn = Drawn<Dcel>;
+
+fn redrawn(map: &PlanarMap) -> Redrawn {
+    Drawn::new(map.dcel().clone(), points_of(map))
 }
 
 impl Redrawn {
-    fn of(map: &PlanarMap) -> Self {
-        let points = (0..map.vertex_slots()).map(|v| map.point(v)).collect();
-        Self { dcel: map.dcel().clone(), points }
-    }
-
     /// The index of the vertex at this point.
     fn at(&self, x: f64, y: f64) -> usize {
-        let found = (0..self.points.len()).find(|v| self.dcel.is_vertex(*v) && self.points[*v] == Point::new(x, y));
+        let found = (0..self.points.len()).find(|v| self.is_vertex(*v) && self.points[*v] == Point::new(x, y));
         found.expect("there is a vertex at this point")
     }
 
@@ -31,24 +30,10 @@ impl Redrawn {
         self
     }
 
-    fn report(&self) -> Report {
-        validate_embedding(self, &Expectation::plane(), Collect::All)
-    }
-
     /// The broken rules, each once.
     fn broken(&self) -> Vec<Rule> {
-        self.report().outcomes().filter(|(_, outcome)| outcome.violations > 0).map(|(rule, _)| rule).collect()
+        self.report(&PLANE).outcomes().filter(|(_, outcome)| outcome.violations > 0).map(|(rule, _)| rule).collect()
     }
-}
-
-impl Embedding for Redrawn {
-    fn point(&self, vertex: usize) -> Point {
-        self.points[vertex]
-    }
-}
-
-impl View for Redrawn {
-    delegate_view!(|this| &this.dcel);
 }
 
 fn map(segments: &[[[f64; 2]; 2]]) -> PlanarMap {
@@ -72,8 +57,8 @@ fn star() -> PlanarMap {
 #[test]
 fn g1_a_coordinate_that_is_not_finite() {
     for bad in [f64::NAN, f64::INFINITY, 1e300, 1e-300] {
-        let drawn = Redrawn::of(&star()).moved([1.0, 0.0], [bad, 0.0]);
-        let report = drawn.report();
+        let drawn = redrawn(&star()).moved([1.0, 0.0], [bad, 0.0]);
+        let report = drawn.report(&PLANE);
         assert_eq!(drawn.broken(), [Rule::G1], "{bad}");
         assert!(matches!(report.violations(), [Violation::NotFinite { .. }]));
         for rule in [Rule::G2, Rule::G3, Rule::G4, Rule::G5] {
@@ -84,40 +69,40 @@ fn g1_a_coordinate_that_is_not_finite() {
 
 #[test]
 fn g1_an_edge_of_zero_length() {
-    let drawn = Redrawn::of(&star()).moved([1.0, 0.0], [0.0, 0.0]);
+    let drawn = redrawn(&star()).moved([1.0, 0.0], [0.0, 0.0]);
     assert_eq!(drawn.broken(), [Rule::G1]);
-    assert!(matches!(drawn.report().violations(), [Violation::ZeroLength { .. }]));
+    assert!(matches!(drawn.report(&PLANE).violations(), [Violation::ZeroLength { .. }]));
 }
 
 #[test]
 fn g2_two_leaves_of_a_star_have_changed_places() {
     let drawn =
-        Redrawn::of(&star()).moved([1.0, 0.0], [9.0, 9.0]).moved([0.0, 1.0], [1.0, 0.0]).moved([9.0, 9.0], [0.0, 1.0]);
+        redrawn(&star()).moved([1.0, 0.0], [9.0, 9.0]).moved([0.0, 1.0], [1.0, 0.0]).moved([9.0, 9.0], [0.0, 1.0]);
     assert_eq!(drawn.broken(), [Rule::G2]);
     let center = drawn.at(0.0, 0.0);
-    let report = drawn.report();
+    let report = drawn.report(&PLANE);
     assert!(matches!(report.violations(), [Violation::OutOfOrder { vertex, .. }] if *vertex == center));
     assert_eq!(report.outcome(Rule::G5).and_then(|o| o.unchecked), Some(Unchecked::Broken(Rule::G2)));
 }
 
 #[test]
 fn g3_a_square_seen_in_a_mirror() {
-    let mut drawn = Redrawn::of(&map(&square(0.0, 0.0, 1.0)));
+    let mut drawn = redrawn(&map(&square(0.0, 0.0, 1.0)));
     for point in &mut drawn.points {
         point.x = -point.x;
     }
     assert_eq!(drawn.broken(), [Rule::G3]);
-    let report = drawn.report();
+    let report = drawn.report(&PLANE);
     assert!(report.violations().iter().any(|v| matches!(v, Violation::OuterClockwise { .. })));
     assert!(report.violations().iter().any(|v| matches!(v, Violation::InnerCounterClockwise { .. })));
 }
 
 #[test]
 fn g4_a_square_twisted_into_a_bow_tie() {
-    let drawn = Redrawn::of(&map(&square(0.0, 0.0, 1.0)));
+    let drawn = redrawn(&map(&square(0.0, 0.0, 1.0)));
     let drawn = drawn.moved([1.0, 1.0], [9.0, 9.0]).moved([0.0, 1.0], [1.0, 1.0]).moved([9.0, 9.0], [0.0, 1.0]);
     assert_eq!(drawn.broken(), [Rule::G4]);
-    let report = drawn.report();
+    let report = drawn.report(&PLANE);
     let [cross @ Violation::Cross { .. }] = report.violations() else { panic!("{report}") };
     assert_eq!(places(&drawn, cross).len(), 4);
     assert_eq!(report.outcome(Rule::G3).and_then(|o| o.unchecked), Some(Unchecked::Broken(Rule::G4)));
@@ -126,18 +111,18 @@ fn g4_a_square_twisted_into_a_bow_tie() {
 #[test]
 fn g4_a_vertex_inside_an_edge_an_overlap_and_two_vertices_at_one_point() {
     let two = || map(&[[[0.0, 0.0], [4.0, 0.0]], [[1.0, 1.0], [2.0, 2.0]]]);
-    let touch = Redrawn::of(&two()).moved([1.0, 1.0], [1.0, 0.0]);
+    let touch = redrawn(&two()).moved([1.0, 1.0], [1.0, 0.0]);
     assert_eq!(touch.broken(), [Rule::G4]);
     let at = touch.at(1.0, 0.0);
-    assert!(matches!(touch.report().violations(), [Violation::Touch { vertex, .. }] if *vertex == at));
+    assert!(matches!(touch.report(&PLANE).violations(), [Violation::Touch { vertex, .. }] if *vertex == at));
 
-    let overlap = Redrawn::of(&two()).moved([1.0, 1.0], [1.0, 0.0]).moved([2.0, 2.0], [6.0, 0.0]);
+    let overlap = redrawn(&two()).moved([1.0, 1.0], [1.0, 0.0]).moved([2.0, 2.0], [6.0, 0.0]);
     assert_eq!(overlap.broken(), [Rule::G4]);
-    assert!(matches!(overlap.report().violations(), [Violation::Overlap { .. }]));
+    assert!(matches!(overlap.report(&PLANE).violations(), [Violation::Overlap { .. }]));
 
-    let same = Redrawn::of(&two()).moved([1.0, 1.0], [4.0, 0.0]);
+    let same = redrawn(&two()).moved([1.0, 1.0], [4.0, 0.0]);
     assert_eq!(same.broken(), [Rule::G4]);
-    assert!(matches!(same.report().violations(), [Violation::SamePlace { .. }]));
+    assert!(matches!(same.report(&PLANE).violations(), [Violation::SamePlace { .. }]));
 }
 
 #[test]
@@ -145,23 +130,23 @@ fn g4_an_isolated_vertex_on_an_edge() {
     let mut builder = Builder::new();
     builder.segment([0.0, 0.0], [4.0, 0.0]).expect("in range");
     builder.shape(&twinedge_map::Shape::Point(Point::new(1.0, 1.0))).expect("in range");
-    let drawn = Redrawn::of(&builder.build().expect("fits")).moved([1.0, 1.0], [1.0, 0.0]);
+    let drawn = redrawn(&builder.build().expect("fits")).moved([1.0, 1.0], [1.0, 0.0]);
     assert_eq!(drawn.broken(), [Rule::G4]);
 }
 
 #[test]
 fn g5_an_island_listed_by_the_face_next_door() {
     let segments = [square(0.0, 0.0, 10.0), square(20.0, 0.0, 10.0), square(2.0, 2.0, 1.0)].concat();
-    let mut drawn = Redrawn::of(&map(&segments));
+    let mut drawn = redrawn(&map(&segments));
     assert_eq!(drawn.broken(), []);
-    let island = drawn.dcel.vertex_at(drawn.at(2.0, 2.0)).expect("it is there");
+    let island = drawn.structure.vertex_at(drawn.at(2.0, 2.0)).expect("it is there");
     let inner = island.rotation().map(HalfEdge::boundary).find(|b| !b.is_outer()).expect("it has an outside").key();
-    let next_door = drawn.dcel.vertex_at(drawn.at(20.0, 0.0)).expect("it is there");
+    let next_door = drawn.structure.vertex_at(drawn.at(20.0, 0.0)).expect("it is there");
     let face = next_door.rotation().map(HalfEdge::face).find(|f| !f.is_unbounded()).expect("it has an inside").key();
-    drawn.dcel.move_inner(inner, face).expect("topology does not mind");
+    drawn.structure.move_inner(inner, face).expect("topology does not mind");
     assert_eq!(drawn.broken(), [Rule::G5]);
-    let boundary = drawn.dcel.boundary(inner).expect("it is there").index();
-    let report = drawn.report();
+    let boundary = drawn.structure.boundary(inner).expect("it is there").index();
+    let report = drawn.report(&PLANE);
     assert!(
         matches!(report.violations(), [Violation::WrongFace { boundary: Record::Boundary(b), .. }] if *b == boundary)
     );
@@ -177,15 +162,15 @@ fn crossings_are_counted_beyond_those_that_are_kept() {
     let segments: Vec<_> = (0..10).flat_map(|i| [line(i, false), line(i, true)]).collect();
     let map = map(&segments);
     assert!(!map.is_plane());
-    let report = validate_embedding(&map, &Expectation::plane(), Collect::AtMost(7));
+    let report = validate_embedding(&map, &PLANE, Collect::AtMost(7));
     assert_eq!(report.violations().len(), 7);
     assert_eq!(report.outcome(Rule::G4).map(|o| o.violations), Some(100));
-    assert_eq!(validate_embedding(&map, &Expectation::plane(), Collect::First).violations().len(), 1);
+    assert_eq!(validate_embedding(&map, &PLANE, Collect::First).violations().len(), 1);
 }
 
 #[test]
 fn each_rule_of_coordinates_says_how_much_it_checked() {
-    let report = Redrawn::of(&map(&square(0.0, 0.0, 2.0))).report();
+    let report = redrawn(&map(&square(0.0, 0.0, 2.0))).report(&PLANE);
     for rule in [Rule::G1, Rule::G2, Rule::G3, Rule::G4, Rule::G5] {
         assert!(report.outcome(rule).is_some_and(|outcome| outcome.checked > 0), "{rule}");
     }
@@ -210,7 +195,7 @@ fn topology_that_is_broken_leaves_geometry_unchecked() {
     for (twin, broken) in twins.into_iter().zip([Rule::R1, Rule::L1]) {
         let tables = Tables(table.clone(), twin);
         for (collect, why) in [(Collect::All, Unchecked::Broken(broken)), (Collect::First, Unchecked::Stopped)] {
-            let report = validate_embedding(&tables, &Expectation::plane(), collect);
+            let report = validate_embedding(&tables, &PLANE, collect);
             for rule in [Rule::G1, Rule::G2, Rule::G3, Rule::G4, Rule::G5] {
                 assert_eq!(report.outcome(rule).and_then(|o| o.unchecked), Some(why), "{rule}");
             }

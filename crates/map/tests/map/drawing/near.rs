@@ -2,6 +2,7 @@
 //! argument, and after every corruption of one link or point; and only changes are read.
 
 use crate::support::changes::{difference, note};
+use crate::support::drawn::{moved_inner, points_of};
 use crate::support::edits::EvenEdits;
 use crate::support::embeddings::validate_embedding;
 use quickcheck::{Arbitrary, Gen};
@@ -9,7 +10,7 @@ use std::cell::Cell;
 use twinedge::dcel::{Corner, Dcel, Side, Split, Turn};
 use twinedge::delegate_view;
 use twinedge::validate::near::WriteSet;
-use twinedge::validate::{BoundaryPlace, BoundaryRow, Collect, Expectation, Parts, Rule, Table, View};
+use twinedge::validate::{BoundaryPlace, Collect, Expectation, Parts, Rule, Table, View};
 use twinedge_geometry::Point;
 use twinedge_map::near::{EmbeddingBaseline, validate_embedding_near};
 use twinedge_map::program::{EditOp, EditOutcome, EditProgram, EditRunner};
@@ -52,8 +53,7 @@ impl Scene {
     }
 
     fn of(map: &PlanarMap) -> Self {
-        let points = (0..map.vertex_slots()).map(|v| map.point(v)).collect();
-        Self::new(Table::copy_of(map.dcel()).unwrap(), points)
+        Self::new(Table::copy_of(map.dcel()).unwrap(), points_of(map))
     }
 
     fn baseline(&self) -> EmbeddingBaseline {
@@ -393,23 +393,6 @@ fn boundary_components_in_the_place_of_others() {
     assert!(tally.broken[..2].iter().all(|count| *count > 10), "{tally:?}");
 }
 
-/// Moves an inner boundary component to the end of this face's list. All rules from R1 to F2 hold.
-fn listed_in(table: &Table, b: usize, f: usize) -> Option<Table> {
-    let mut table = table.clone();
-    let row = table.boundaries.get(b).copied().flatten()?;
-    let (BoundaryPlace::Inner(i), true) = (row.place?, table.is_face(f)) else { return None };
-    let list = &mut table.faces[row.face?].as_mut()?.inner;
-    list.remove(i);
-    for (i, b) in list.clone().into_iter().enumerate().skip(i) {
-        table.boundaries[b?].as_mut()?.place = Some(BoundaryPlace::Inner(i));
-    }
-    let list = &mut table.faces[f].as_mut()?.inner;
-    list.push(Some(b));
-    let place = Some(BoundaryPlace::Inner(list.len() - 1));
-    *table.boundaries[b].as_mut()? = BoundaryRow { face: Some(f), place, ..row };
-    Some(table)
-}
-
 /// A segment splits a face, or is removed, so that two faces merge, and two of the islands are listed in arbitrary faces,
 /// including islands inside discs, whose faces the segment does not meet.
 #[test]
@@ -434,9 +417,9 @@ fn islands_listed_in_any_face_after_one_is_split_or_two_are_merged() {
             let baseline = before.baseline();
             let (labels, faces) = (after.table.boundary_slots(), after.table.face_slots());
             for (one, f) in (0..labels).flat_map(|b| (0..faces).map(move |f| (b, f))) {
-                let Some(table) = listed_in(&after.table, one, f) else { continue };
+                let Some(table) = moved_inner(&after.table, one, f) else { continue };
                 for (other, f) in (0..labels).flat_map(|b| (0..faces).map(move |f| (b, f))) {
-                    let Some(table) = listed_in(&table, other, f) else { continue };
+                    let Some(table) = moved_inner(&table, other, f) else { continue };
                     let scene = Scene::new(table, after.points.clone());
                     tally.judge(&mut baseline.clone(), &scene, &scene.since(&before));
                 }
@@ -493,7 +476,7 @@ fn an_island_listed_in_any_face_after_one_is_no_more() {
         let tables = once.iter().cloned().chain(twice);
         for (table, b) in tables.flat_map(|table| (0..labels).map(move |b| (table.clone(), b))) {
             for f in 0..table.face_slots() {
-                let Some(table) = listed_in(&table, b, f) else { continue };
+                let Some(table) = moved_inner(&table, b, f) else { continue };
                 for table in [relabelled(&table, b), Some(table)].into_iter().flatten() {
                     let scene = Scene::new(table, after.points.clone());
                     tally.judge(&mut before.baseline(), &scene, &scene.since(&before));

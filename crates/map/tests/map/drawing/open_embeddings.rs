@@ -1,36 +1,12 @@
 //! G1 … G5 in structures with an open boundary or without an unbounded face: components outside everything lie in no face.
 
-use crate::support::embeddings::validate_embedding;
+use crate::support::drawn::Drawn;
 use crate::support::tables::{TEXTBOOK, Without, half_edge, map, textbook_map};
-use twinedge::delegate_view;
 use twinedge::validate::{
-    Collect, Expectation, FaceRow, HalfEdgeRow, Part, Parts, Record, Report, Rule, Start, Table, VertexRow, View,
-    Violation,
+    Expectation, FaceRow, HalfEdgeRow, Part, Parts, Record, Rule, Start, Table, VertexRow, Violation,
 };
-use twinedge_geometry::Point;
-use twinedge_map::Embedding;
 
-/// A table and where its vertices lie.
-struct Drawn {
-    table: Table,
-    points: Vec<[f64; 2]>,
-}
-
-impl View for Drawn {
-    delegate_view!(|this| &this.table);
-}
-
-impl Embedding for Drawn {
-    fn point(&self, vertex: usize) -> Point {
-        self.points[vertex].into()
-    }
-}
-
-impl Drawn {
-    fn report(&self) -> Report {
-        validate_embedding(self, &Expectation::plane().open(), Collect::All)
-    }
-}
+const OPEN: Expectation = Expectation::plane().open();
 
 const BOUNDED: Parts = TEXTBOOK.without(Part::UnboundedFace);
 
@@ -44,7 +20,7 @@ fn two_triangles(by_record: bool, listed: bool, b: [[f64; 2]; 3]) -> Drawn {
     let faces = [(Some(0), inner), (Some(6), &[])];
     let table = if by_record { map(6, &half_edges, &faces) } else { textbook_map(6, &half_edges, &faces) };
     let points = [[[0.0, 0.0], [10.0, 0.0], [0.0, 10.0]], b].concat();
-    Drawn { table: table.without(Part::UnboundedFace), points }
+    Drawn::new(table.without(Part::UnboundedFace), points)
 }
 
 const IN_A: [[f64; 2]; 3] = [[1.0, 1.0], [2.0, 1.0], [1.0, 2.0]];
@@ -56,11 +32,11 @@ fn g5_a_hole_that_lies_outside_everything() {
     for (by_record, boundary, name) in
         [(false, Record::HalfEdge(7), "at half-edge 7"), (true, Record::Boundary(1), "1")]
     {
-        let report = two_triangles(by_record, true, IN_A).report();
+        let report = two_triangles(by_record, true, IN_A).report(&OPEN);
         assert!(report.is_valid(), "{report}");
         assert_eq!(report.outcome(Rule::G5).map(|outcome| (outcome.checked, outcome.unchecked)), Some((1, None)));
         for outside in [FAR, ABOVE_A] {
-            let report = two_triangles(by_record, true, outside).report();
+            let report = two_triangles(by_record, true, outside).report(&OPEN);
             let violation = Violation::WrongFace { boundary, face: 0, found: None };
             assert_eq!(report.violations(), [violation], "{report}");
             let sentence = format!("the inner boundary component {name} is listed by face 0, but lies in no face");
@@ -73,10 +49,10 @@ fn g5_a_hole_that_lies_outside_everything() {
 fn g5_what_no_face_lists_lies_in_a_face() {
     for by_record in [false, true] {
         for outside in [FAR, ABOVE_A] {
-            let report = two_triangles(by_record, false, outside).report();
+            let report = two_triangles(by_record, false, outside).report(&OPEN);
             assert!(report.is_valid(), "{report}");
         }
-        let report = two_triangles(by_record, false, IN_A).report();
+        let report = two_triangles(by_record, false, IN_A).report(&OPEN);
         let violation = Violation::Unlisted { vertex: 3, face: 0 };
         assert_eq!(report.violations(), [violation], "{report}");
         assert_eq!(
@@ -91,22 +67,22 @@ fn g5_what_no_face_lists_lies_in_a_face() {
 #[test]
 fn g5_an_open_outside_in_the_unbounded_face() {
     let mut drawn = two_triangles(false, false, FAR);
-    drawn.table.faces.push(Some(FaceRow::default()));
-    drawn.table.parts = TEXTBOOK;
-    assert!(drawn.report().is_valid(), "{}", drawn.report());
+    drawn.structure.faces.push(Some(FaceRow::default()));
+    drawn.structure.parts = TEXTBOOK;
+    assert!(drawn.report(&OPEN).is_valid(), "{}", drawn.report(&OPEN));
     drawn.points = two_triangles(false, false, IN_A).points;
-    assert_eq!(drawn.report().violations(), [Violation::Unlisted { vertex: 3, face: 0 }]);
+    assert_eq!(drawn.report(&OPEN).violations(), [Violation::Unlisted { vertex: 3, face: 0 }]);
 }
 
 /// Triangles of half-edges without twins: nothing is known beyond them.
 fn without_twins(triangles: &[[[f64; 2]; 3]]) -> Drawn {
-    let mut drawn = Drawn { table: Table { parts: BOUNDED, ..Table::default() }, points: triangles.concat() };
+    let mut drawn = Drawn::new(Table { parts: BOUNDED, ..Table::default() }, triangles.concat());
     for f in 0..triangles.len() {
         for i in 0..3 {
             let at = |i: usize| Some(3 * f + i % 3);
-            drawn.table.vertices.push(Some(VertexRow { leaving: at(i), isolated: None }));
+            drawn.structure.vertices.push(Some(VertexRow { leaving: at(i), isolated: None }));
             let (next, prev) = (at(i + 1), at(i + 2));
-            drawn.table.half_edges.push(Some(HalfEdgeRow {
+            drawn.structure.half_edges.push(Some(HalfEdgeRow {
                 origin: at(i),
                 next,
                 prev,
@@ -114,7 +90,7 @@ fn without_twins(triangles: &[[[f64; 2]; 3]]) -> Drawn {
                 ..HalfEdgeRow::default()
             }));
         }
-        drawn.table.faces.push(Some(FaceRow { outer_half_edge: Some(3 * f), ..FaceRow::default() }));
+        drawn.structure.faces.push(Some(FaceRow { outer_half_edge: Some(3 * f), ..FaceRow::default() }));
     }
     drawn
 }
@@ -124,10 +100,10 @@ fn without_twins(triangles: &[[[f64; 2]; 3]]) -> Drawn {
 fn g5_no_face_above_an_open_boundary() {
     let below = [[0.0, 0.0], [10.0, 0.0], [5.0, 5.0]];
     let above = [[4.0, 6.0], [6.0, 6.0], [5.0, 8.0]];
-    let report = without_twins(&[below, above]).report();
+    let report = without_twins(&[below, above]).report(&OPEN);
     assert!(report.is_valid(), "{report}");
     let inside = [[4.0, 1.0], [6.0, 1.0], [5.0, 3.0]];
-    let report = without_twins(&[below, inside]).report();
+    let report = without_twins(&[below, inside]).report(&OPEN);
     assert_eq!(report.violations(), [Violation::Unlisted { vertex: 3, face: 0 }], "{report}");
 }
 
@@ -171,10 +147,10 @@ fn g2_around_a_vertex_at_an_open_boundary() {
         }
         // The last vertex keeps a half-edge only if one leaves it.
         assert_eq!(half_edge(&mut table, number(2, 2)).origin, Some(4));
-        let drawn = Drawn { table, points: points.to_vec() };
-        assert!(drawn.report().is_valid(), "{}", drawn.report());
-        let mirrored = Drawn { points: points.map(|[x, y]| [-x, y]).to_vec(), ..drawn };
-        let report = mirrored.report();
+        let drawn = Drawn::new(table, points);
+        assert!(drawn.report(&OPEN).is_valid(), "{}", drawn.report(&OPEN));
+        let mirrored = Drawn::new(drawn.structure.clone(), points.map(|[x, y]| [-x, y]));
+        let report = mirrored.report(&OPEN);
         assert_eq!(report.outcome(Rule::G2).map(|outcome| outcome.violations), Some(1), "{report}");
     }
 }

@@ -1,8 +1,9 @@
 //! A real map: drawing and erasing lines across it.
 
 use crate::location::maps::features;
+use crate::support::drawn::area;
 use std::collections::BTreeMap;
-use twinedge::dcel::{Face, HalfEdge};
+use twinedge::dcel::HalfEdge;
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::{Snap, node};
 use twinedge_map::{Builder, Feature, PlanarMap, Shape};
@@ -39,15 +40,6 @@ fn world() -> (PlanarMap, Snap) {
         builder.feature(feature).expect("longitudes and latitudes are in range");
     }
     (builder.build().expect("the world fits"), Snap::Size(noded.summary.cell))
-}
-
-fn area(map: &PlanarMap, face: Face<'_>) -> f64 {
-    let at = |v: twinedge::dcel::Vertex<'_>| map.position(v.key()).expect("it is of this map");
-    let under = |h: HalfEdge<'_>| {
-        let (p, q) = (at(h.origin()), at(h.target()));
-        (p.x * q.y - q.x * p.y) / 2.0
-    };
-    face.half_edges().map(under).sum()
 }
 
 /// The area of each feature, in square degrees.

@@ -77,13 +77,6 @@ fn what_cannot_be_asked_is_an_error() {
     assert!(matches!(map.locate(Point::new(0.0, f64::NAN)), Err(LocateError::OutOfRange(_))));
 }
 
-#[test]
-fn a_map_that_is_not_plane_refuses_locations() {
-    let map = world(include_bytes!("../../../../../tests/data/world-110m-crossing.geojson"));
-    assert!(!map.is_plane());
-    assert_eq!(map.locate(Point::default()), Err(map.not_plane().unwrap().into()));
-}
-
 /// The face whose boundary a ray straight up crosses an odd number of times, by trying every half-edge.
 fn by_parity(map: &PlanarMap, p: Point) -> Located {
     let at = |v: twinedge::dcel::Vertex<'_>| map.position(v.key()).unwrap();

@@ -1,9 +1,57 @@
-//! A structure with limits refuses records that do not fit, without a trace, for each kind of record.
+//! A structure with limits only differs from an unlimited one by refusing records that do not fit, without a trace, for each
+//! kind of record.
 
-use super::{an_edge, limited};
 use crate::support::erased::validate_plane;
-use twinedge::dcel::{Dcel, OperatorError, RecordKind, Side, Split};
+use crate::support::programs::check;
+use twinedge::dcel::{Dcel, HalfEdgeKey, OperatorError, RecordKind, Room, Side, Split};
+use twinedge::program::{Program, Refusal, Runner, StepOutcome};
 use twinedge::validate::Table;
+
+/// An empty structure limited to these numbers of vertices, edges, boundary components and faces.
+fn limited([vertices, edges, boundaries, faces]: [usize; 4]) -> Dcel {
+    Dcel::with_limits(Room { vertices, edges, boundaries, faces })
+}
+
+/// Puts an edge with two vertices in the unbounded face. Takes only one boundary component.
+fn an_edge(dcel: &mut Dcel) -> HalfEdgeKey {
+    let v = dcel.add_isolated_vertex(dcel.unbounded_face().key()).unwrap().vertex;
+    dcel.split_vertex(v, v).unwrap().half_edge
+}
+
+/// V, E, boundary components, F.
+fn counts(dcel: &Dcel) -> [usize; 4] {
+    [dcel.vertex_count(), dcel.edge_count(), dcel.boundary_count(), dcel.face_count()]
+}
+
+/// The same operators make the same rows, step by step, and what is refused for want of room exceeds the limits.
+#[test]
+fn what_does_not_fit_is_refused_without_a_trace_and_what_fits_is_not() {
+    fn law(program: Program) {
+        let most = [3, 4, 4, 3];
+        let (mut free, mut limited) = (Runner::new(Dcel::new()), Runner::new(limited(most)));
+        for (i, op) in program.0.into_iter().enumerate() {
+            let before = Table::copy_of(limited.subject());
+            let outcome = limited.step(op);
+            if outcome == StepOutcome::Refused(Refusal::Full) {
+                assert_eq!(Table::copy_of(limited.subject()), before, "{op}");
+                assert!(counts(limited.subject()).iter().zip(most).any(|(count, most)| *count == most), "{op}");
+                // Arguments may be wrong too.
+                let mut more = free.clone();
+                if more.step(op) == StepOutcome::Applied {
+                    assert!(counts(more.subject()).iter().zip(most).any(|(count, most)| *count > most), "{op}");
+                }
+                continue;
+            }
+            assert_eq!(outcome, free.step(op), "{op}");
+            assert_eq!(Table::copy_of(limited.subject()), Table::copy_of(free.subject()), "{op}");
+            assert!(validate_plane(limited.subject()).is_valid(), "{op}");
+            if i % 16 == 15 {
+                limited = limited.clone();
+            }
+        }
+    }
+    check(1000, 100, law as fn(Program));
+}
 
 fn refused<T: std::fmt::Debug + PartialEq>(
     dcel: &mut Dcel,

@@ -1,6 +1,6 @@
 //! Targets that edit maps with coordinates.
 
-#[path = "../../crates/map/tests/map/edit/follow.rs"]
+#[path = "../../../crates/map/tests/map/edit/follow.rs"]
 mod follow;
 
 use follow::Shadow;

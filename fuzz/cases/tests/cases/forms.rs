@@ -4,12 +4,12 @@ use std::fs;
 use std::path::Path;
 use twinedge::validate::reference::first_broken_rule;
 use twinedge::validate::{Collect, validate};
-use twinedge_fuzz::right_map;
+use twinedge_fuzz_cases::right_map;
 use twinedge_trials::forms::{Form, forms};
 
 #[test]
 fn the_maps_to_corrupt_are_right_in_every_form() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../corpus");
     let (mut judged, mut open) = (0, 0);
     for target in ["programs", "validator_total"] {
         for file in fs::read_dir(folder.join(target)).unwrap() {

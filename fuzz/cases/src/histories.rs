@@ -1,6 +1,6 @@
 //! The target that undoes and redoes.
 
-#[path = "../../crates/map/tests/map/rewound.rs"]
+#[path = "../../../crates/map/tests/map/rewound.rs"]
 mod rewound;
 
 use twinedge::program::Program;
