@@ -1,0 +1,16 @@
+//! Reports on all kinds of inputs, from bytes to the forms that people and machines read.
+
+mod support;
+
+mod between;
+mod by_tiles;
+mod causes;
+mod cleaned;
+mod coverage;
+mod drawn;
+mod forms;
+mod gate;
+mod great_circles;
+mod maps;
+mod meshes;
+mod structures;
