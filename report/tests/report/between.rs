@@ -1,6 +1,7 @@
 //! Rules between layers, and between parts and their parents.
 
-use crate::support::{Asked, has, layer, parsed, uncoloured};
+use crate::support::{Asked, layer, parsed, uncoloured};
+use crate::values::has;
 use serde_json::{Value, json};
 use twinedge_report::{Audited, Compared};
 

@@ -1,6 +1,7 @@
 //! Layers with planted faults: the number of causes equals the number of faults.
 
-use crate::support::{Asked, audited, has, json, members, page_data, parsed, text};
+use crate::support::{Asked, audited, json, page_data, parsed, text};
+use crate::values::{has, members};
 use serde_json::{Value, json};
 
 type Ring = Vec<[f64; 2]>;

@@ -1,7 +1,8 @@
 //! The account of cleaning: changes and their reasons, gaps that are left, wide or accepted, and neighbourhoods that are too large.
 
 use crate::coverage::SPINDLE;
-use crate::support::{has, members, uncoloured};
+use crate::support::uncoloured;
+use crate::values::{has, members};
 use serde_json::{Value, json};
 use twinedge_coverage::clean::Options;
 use twinedge_formats::layer::clean::CleanOptions;

@@ -1,6 +1,7 @@
 //! Findings of C1 … C7: counts, measures and places, accepted gaps, snapping, and consequences.
 
-use crate::support::{broken, has, json, members, text};
+use crate::support::{broken, json, text};
+use crate::values::{has, members};
 use serde_json::{Value, json};
 
 /// Three parcels: the second begins 0.05 inside the first, and the third 0.05 behind the second.

@@ -1,6 +1,7 @@
 //! Findings as a layer, and pages.
 
-use crate::support::{audited, crossing, file, has, layer, members, page_data, town, world};
+use crate::support::{audited, crossing, file, layer, page_data, town, world};
+use crate::values::{has, members};
 use serde_json::{Value, json};
 
 fn features(layer: &Value) -> &Vec<Value> {

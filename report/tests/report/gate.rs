@@ -1,6 +1,7 @@
 //! An audit as a gate: accepted findings, differences, SARIF and `JUnit`.
 
-use crate::support::{Asked, has, members, parsed};
+use crate::support::{Asked, parsed};
+use crate::values::{has, members};
 use boon::{Compiler, Schemas};
 use serde_json::{Value, json};
 use twinedge_report::{Accepted, Audited, Compared};

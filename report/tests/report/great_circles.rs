@@ -1,6 +1,7 @@
 //! Edges as great circles.
 
-use crate::support::{audited, has, json, layer, members, refused, text};
+use crate::support::{audited, json, layer, refused, text};
+use crate::values::{has, members};
 use serde_json::{Value, json};
 
 type Ring<'a> = &'a [[f64; 2]];

@@ -1,6 +1,7 @@
 //! Reports on maps: the structure, snapping, irregular rings, warnings, and the ids of findings.
 
-use crate::support::{broken, crossing, file, has, json, members, refused, text, world};
+use crate::support::{broken, crossing, file, json, refused, text, world};
+use crate::values::{has, members};
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
 

@@ -1,6 +1,7 @@
 //! Reports on mesh files.
 
-use crate::support::{broken, has, json, refused, text};
+use crate::support::{broken, json, refused, text};
+use crate::values::has;
 use serde_json::json;
 
 /// The faces of a cube, counted from 1, outward.

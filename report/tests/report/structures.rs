@@ -1,6 +1,7 @@
 //! Reports on files of tables, the tables of a textbook, topologies of PostGIS, and arcs of TopoJSON.
 
-use crate::support::{audited, file, has, json, layer, members, page_data, refused, text, town};
+use crate::support::{audited, file, json, layer, page_data, refused, text, town};
+use crate::values::{has, members};
 use serde_json::{Value, json};
 use std::fmt::Write as _;
 use std::sync::Mutex;
