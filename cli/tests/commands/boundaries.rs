@@ -1,7 +1,7 @@
 //! `twinedge audit --boundaries` and `twinedge convert --boundaries`: boundaries of OpenStreetMap.
 
+use crate::shared::{has, members};
 use crate::support::Folder;
-use crate::values::{has, members};
 use pbf::File;
 use serde_json::{Value, json};
 

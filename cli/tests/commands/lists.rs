@@ -1,7 +1,7 @@
 //! Files of accepted findings, and `twinedge diff`.
 
+use crate::shared::has;
 use crate::support::Folder;
-use crate::values::has;
 use serde_json::{Value, json};
 
 /// Two fields that overlap, and a lake of this width.

@@ -1,8 +1,8 @@
 //! The arguments of the commands, what they print, their exit status, the files that they write, and the way they end.
 
+#[path = "../../../report/tests/report/shared.rs"]
+mod shared;
 mod support;
-#[path = "../../../report/tests/report/values.rs"]
-mod values;
 
 mod audit;
 mod boundaries;

@@ -1,7 +1,7 @@
 //! `twinedge query`.
 
+use crate::shared::{has, members};
 use crate::support::{Folder, crossing, root};
-use crate::values::{has, members};
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
 

@@ -1,7 +1,7 @@
 //! `twinedge decompose` and `twinedge voronoi`.
 
+use crate::shared::{has, members};
 use crate::support::Folder;
-use crate::values::{has, members};
 use serde_json::{Value, json};
 
 /// The letter L, and a square with a hole.

@@ -89,16 +89,18 @@ impl Folder {
         (ran.status, serde_json::from_str(&ran.out).unwrap_or_else(|error| panic!("{line}: {error}: {ran:?}")))
     }
 
-    /// Runs each line `ARGUMENTS => STATUS words ++ words` of a transcript: the program prints these words. Errors of the command line have several
+    /// Runs each line `ARGUMENTS => STATUS words ++ words` of a transcript: the program prints these words; `\n` stands for the end of a line. Errors of the command line have several
     /// lines; others have one, and leave standard output empty.
     pub(crate) fn transcript(&self, lines: &str) {
         for line in lines.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with('#')) {
             let (arguments, expected) = line.split_once("=>").unwrap_or_else(|| panic!("{line}"));
             let (status, words) = expected.trim().split_once(' ').unwrap_or((expected.trim(), ""));
             let ran = self.run(arguments.trim());
+            // The name of a temporary folder.
+            assert!(!ran.err.contains(".twinedge-"), "{line}: {ran:?}");
             assert_eq!(ran.status, Some(status.parse().unwrap()), "{line}: {ran:?}");
-            for words in words.split("++").map(str::trim) {
-                assert!(ran.out.contains(words) || ran.err.contains(words), "{line}: {ran:?}");
+            for words in words.split("++").map(|words| words.trim().replace("\\n", "\n")) {
+                assert!(ran.out.contains(&words) || ran.err.contains(&words), "{line}: {ran:?}");
             }
             if status == "2" {
                 let is_one_line = ran.err.starts_with("twinedge: ") && ran.err.lines().count() == 1;
@@ -118,16 +120,3 @@ pub(crate) fn root(name: &str) -> String {
 pub(crate) fn crossing() -> String {
     root("tests/data/world-110m-crossing.geojson")
 }
-
-/// A topology of PostGIS.
-pub(crate) const TOWN: &[u8] = include_bytes!("../../../formats/tests/postgis/data/town.copy");
-
-/// Three parcels: the second begins half a unit inside the first, and a narrow gap separates both from the third.
-pub(crate) const PARCELS: &str = r#"{"type":"FeatureCollection",
-"source":"survey",
-"features":[
-{"type":"Feature","id":"A-1","properties":{"owner":"Meier","since":"2020-01-31"},"geometry":{"type":"Polygon","coordinates":[[[0,0],[10,0],[10,10],[0,10],[0,0]]]}},
-{"type":"Feature","id":"A-2","properties":{"owner":"Müller"},"geometry":{"type":"Polygon","coordinates":[[[9.5,0],[20,0],[20,10],[9.5,10],[9.5,0]]]}},
-{"type":"Feature","id":"A-3","properties":{"owner":"Huber"},"geometry":{"type":"Polygon","coordinates":[[[0,10],[10,10.05],[20,10],[20,20],[0,20],[0,10]]]}}
-]}
-"#;

@@ -1,22 +1,11 @@
 //! `twinedge tile`, and `twinedge sum` of tiles.
 
+use crate::shared::{FAULTY, has};
 use crate::support::{Folder, crossing};
-use crate::values::has;
 use serde_json::{Value, json};
 
-/// A layer of parcels with a gap, an overlap, a sliver, a duplicate and a polygon with a spike, each cut by lines between tiles.
-const PARCELS: &str = "POLYGON((0 0,4 0,3 2,4 4,0 4,0 0))
-POLYGON((4 0,8 0,8 4,4 4,5 2,4 0))
-POLYGON((0 4,4 4,8 4,8 8,4 8,0 8,0 4))
-POLYGON((4 4,8 4,8 8,4 8,4 4))
-POLYGON((8 0,8.0001 0,8.0001 8,8 8,8 4,8 0))
-POLYGON((10 3,12 3,12 5,10 5,10 3))
-POLYGON((10 3,12 3,12 5,10 5,10 3))
-POLYGON((13 3,15 3,14 4,15 5,13 5,14 4,13 3))
-";
-
 fn parcels() -> Folder {
-    Folder::new(&[("parcels.wkt", PARCELS)])
+    Folder::new(&[("parcels.wkt", FAULTY)])
 }
 
 /// Writes the summaries of these tiles, named after the column and the row.
@@ -42,7 +31,7 @@ pub(crate) fn counts_as(sum: &Value, whole: &Value) {
 #[test]
 fn the_sum_of_all_tiles_is_the_audit() {
     let far = "POLYGON((0 0,10 0,10 10,0 10,0 0))\nPOLYGON((5 5,15 5,15 15,5 15,5 5))\nPOINT(1e17 0)\n";
-    let folder = Folder::new(&[("parcels.wkt", PARCELS), ("far.wkt", far)]);
+    let folder = Folder::new(&[("parcels.wkt", FAULTY), ("far.wkt", far)]);
     for (file, grid, at) in [
         ("parcels.wkt", "3x2", &["1,0", "0,1", "2,1", "0,0", "2,0", "1,1"][..]),
         (&crossing(), "2x1", &["0,0", "1,0"]),

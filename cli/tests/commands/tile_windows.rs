@@ -1,8 +1,8 @@
 //! Files with boxes, of which tiles read only a part: the same bytes as from the whole file, less reading, and false boxes.
 
+use crate::shared::members;
 use crate::support::{Folder, crossing};
 use crate::tile::counts_as;
-use crate::values::members;
 use serde_json::Value;
 use std::fmt::Write as _;
 

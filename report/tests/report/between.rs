@@ -1,7 +1,7 @@
 //! Rules between layers, and between parts and their parents.
 
+use crate::shared::has;
 use crate::support::{Asked, layer, parsed, uncoloured};
-use crate::values::has;
 use serde_json::{Value, json};
 use twinedge_report::{Audited, Compared};
 

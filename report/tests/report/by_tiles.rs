@@ -1,18 +1,8 @@
 //! An audit by tiles reports what the audit of the whole map does.
 
+use crate::shared::FAULTY;
 use crate::support::{audited, crossing, json, world};
 use serde_json::{Value, json};
-
-/// A layer of parcels with a gap, an overlap, a sliver, a duplicate and a polygon with a spike, each cut by lines between tiles.
-const PARCELS: &str = "POLYGON((0 0,4 0,3 2,4 4,0 4,0 0))
-POLYGON((4 0,8 0,8 4,4 4,5 2,4 0))
-POLYGON((0 4,4 4,8 4,8 8,4 8,0 8,0 4))
-POLYGON((4 4,8 4,8 8,4 8,4 4))
-POLYGON((8 0,8.0001 0,8.0001 8,8 8,8 4,8 0))
-POLYGON((10 3,12 3,12 5,10 5,10 3))
-POLYGON((10 3,12 3,12 5,10 5,10 3))
-POLYGON((13 3,15 3,14 4,15 5,13 5,14 4,13 3))
-";
 
 /// Two fields whose common border has a vertex only in the west, on the line between two tiles.
 const UNMATCHED: &str = "POLYGON((0 0,2 0,2 2,2 4,0 4,0 0))\nPOLYGON((2 0,4 0,4 4,2 4,2 0))\n";
@@ -64,7 +54,7 @@ fn an_audit_by_tiles_is_that_of_the_whole() {
     let (crossing, world) = (crossing(), world());
     for (input, all_words, numbers) in [
         (
-            PARCELS,
+            FAULTY,
             &["", "--coverage", "--gap-width 0.4 --sliver 0.1", "--explain --list 2"][..],
             &["--tiles 1", "--tiles 2", "--tiles 5", "--memory 1000000000", "--memory 32768"][..],
         ),
@@ -86,7 +76,7 @@ fn an_audit_by_tiles_is_that_of_the_whole() {
             assert!(!large.contains("memory") || !small.contains("memory") || few.len() <= many.len() && few < many);
         }
     }
-    let coverage = &json(PARCELS, "")["coverage"];
+    let coverage = &json(FAULTY, "")["coverage"];
     for count in ["overlaps", "gaps", "slivers", "duplicates", "ogc_invalid"] {
         assert!(coverage[count].as_u64() > Some(0), "{count}: {coverage}");
     }
@@ -122,7 +112,7 @@ fn a_large_feature_is_not_given_to_many_tiles_for_nothing() {
 #[test]
 fn findings_of_tiles_are_a_layer_of_places() {
     let layer = |words: &str| {
-        let (layer, _) = audited(PARCELS, words).findings().unwrap();
+        let (layer, _) = audited(FAULTY, words).findings().unwrap();
         let layer: Value = serde_json::from_slice(&layer).unwrap();
         let features = layer["features"].as_array().unwrap().iter();
         let key = |one: &Value| ["rule", "message", "x", "y"].map(|key| one["properties"][key].to_string());

@@ -1,7 +1,7 @@
 //! Layers with planted faults: the number of causes equals the number of faults.
 
-use crate::support::{Asked, audited, json, page_data, parsed, text};
-use crate::values::{has, members};
+use crate::shared::{has, members};
+use crate::support::{Asked, audited, json, page_data, parsed, says, text};
 use serde_json::{Value, json};
 
 type Ring = Vec<[f64; 2]>;
@@ -85,8 +85,7 @@ fn a_layer_with_n_faults_has_n_causes() {
 #[test]
 fn each_form_of_a_report_counts_causes() {
     let layer = planted(&FAULTS);
-    let told = text(&*layer, "--coverage");
-    assert!(told.contains("\nnot valid: 5 findings, from which "), "{told}");
+    says(&*layer, "--coverage", &["\nnot valid: 5 findings, from which "]);
     let audited = audited(layer, "--coverage");
     let page = audited.page().unwrap();
     assert!(page.contains("<p id=\"verdict\">not valid: 5 findings, from which "));

@@ -1,15 +1,15 @@
-//! The account of cleaning: changes and their reasons, gaps that are left, wide or accepted, and neighbourhoods that are too large.
+//! The account of cleaning: changes and their reasons, and gaps that are left, wide or accepted.
 
 use crate::coverage::SPINDLE;
+use crate::shared::{PARCELS, has};
 use crate::support::uncoloured;
-use crate::values::{has, members};
 use serde_json::{Value, json};
 use twinedge_coverage::clean::Options;
 use twinedge_formats::layer::clean::CleanOptions;
-use twinedge_formats::layer::{GeoJsonFile, ReadOptions, read_layer};
+use twinedge_formats::layer::{ReadOptions, read_layer};
 use twinedge_geometry::Point;
-use twinedge_report::clean::{Cleaning, Names, Repair, clean_in_tiles};
-use twinedge_report::{Division, Error, InMemory};
+use twinedge_report::Error;
+use twinedge_report::clean::{Cleaning, Names, Repair};
 
 fn by(assign: Options) -> Repair<'static> {
     Repair { options: CleanOptions { assign, ..CleanOptions::default() }, ..Repair::default() }
@@ -27,16 +27,10 @@ fn cleaned(input: &str, repair: &Repair<'_>) -> Result<(String, Value), Error> {
     Ok((uncoloured(&cleaning.text(20).unwrap()), cleaning.json()))
 }
 
-/// Three parcels: the second begins half a unit inside the first, and a narrow gap separates both from the third. A copy of the second has no id, and
-/// another feature no geometry.
-const PARCELS: &str = r#"{"type":"FeatureCollection", "features":[
-{"type":"Feature","id":"A-1","properties":{"owner":"Meier","since":"2020-01-31"},"geometry":{"type":"Polygon","coordinates":[[[0,0],[10,0],[10,10],[0,10],[0,0]]]}},
-{"type":"Feature","id":"A-2","properties":{"owner":"Kunz"},"geometry":{"type":"Polygon","coordinates":[[[9.5,0],[20,0],[20,10],[9.5,10],[9.5,0]]]}},
-{"type":"Feature","id":"A-3","properties":{"owner":"Huber"},"geometry":{"type":"Polygon","coordinates":[[[0,10],[10,10.05],[20,10],[20,20],[0,20],[0,10]]]}}
-]}"#;
-
+/// A copy of the second parcel has no id, and another feature no geometry.
 fn with_copy() -> String {
-    let copy = r#",{"type":"Feature","properties":{"owner":"Copy"},"geometry":{"type":"Polygon","coordinates":[[[9.5,0],[20,0],[20,10],[9.5,10],[9.5,0]]]}}
+    let copy = r#"
+,{"type":"Feature","properties":{"owner":"Copy"},"geometry":{"type":"Polygon","coordinates":[[[9.5,0],[20,0],[20,10],[9.5,10],[9.5,0]]]}}
 ,{"type":"Feature","properties":{"owner":"Nowhere"},"geometry":null}
 ]}"#;
     PARCELS.replace("\n]}", copy)
@@ -112,50 +106,4 @@ fn columns_and_values_that_are_not_there_are_refused() {
         let error = cleaned(PARCELS, &repair).unwrap_err().to_string();
         assert!(error.contains(why), "{error}");
     }
-}
-
-/// Rows of squares of 10. One square reaches half a unit into its right neighbour, far from a slit between two others.
-fn squares() -> String {
-    let square = |i: usize| {
-        let (x, y) = ((i % 8) as f64 * 10.0, (i / 8) as f64 * 10.0);
-        let right = match i {
-            9 => x + 10.5,
-            52 => x + 9.9,
-            _ => x + 10.0,
-        };
-        let ring = [[x, y], [right, y], [right, y + 10.0], [x, y + 10.0], [x, y]];
-        json!({"type": "Feature", "properties": {}, "geometry": {"type": "Polygon", "coordinates": [ring]}}).to_string()
-    };
-    (0..64).map(|i| square(i) + "\n").collect()
-}
-
-#[test]
-fn a_neighbourhood_that_does_not_fit_stays_as_it_is_and_is_said() {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("squares.geojsonl");
-    std::fs::write(&path, squares()).unwrap();
-    let repair = by(Options { sliver_area: Some(1.5), ..Options::default() });
-    let open = |each: &mut dyn FnMut(_)| {
-        let mut take = |feature| {
-            each(feature);
-            Ok(())
-        };
-        GeoJsonFile::open(&path, tempfile::tempfile()?, &mut take)
-    };
-    let shelves = || Ok(Box::<InMemory>::default() as _);
-    let (mut file, tiles) = clean_in_tiles(open, &repair, Division::Within(1024), shelves, &mut |_| {}).unwrap();
-    let mut written = Vec::new();
-    file.write(&mut written).unwrap();
-    assert_eq!(String::from_utf8(written).unwrap(), squares());
-    let cleaning = Cleaning::of_tiles("squares", &repair, &tiles);
-    let report = cleaning.json();
-    // The squares that meet the box around the faulty ones: 16 for each fault.
-    let left = members(&report["tiles"]["not_cleaned"], &["features", "vertices"]);
-    let left: Vec<_> = left.as_array().unwrap().iter().map(|one| (&one[0][0]["number"], &one[1])).collect();
-    assert_eq!(left, [(&json!(1), &json!(80)), (&json!(44), &json!(80))]);
-    let rules = json!(["C1", "C2", "C7", "C7", "C7", "C7", "C7", "C7"]);
-    assert_eq!((&members(&report["left"]["findings"], &["rule"]), &report["clean"]), (&rules, &json!(false)));
-    let text = uncoloured(&cleaning.text(20).unwrap());
-    let line = "not cleaned: 6 features between (10, 0) and (30, 30): the neighbourhood has 80 vertices\n";
-    assert!(text.contains(line), "{text}");
 }

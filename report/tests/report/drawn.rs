@@ -1,7 +1,7 @@
 //! Findings as a layer, and pages.
 
-use crate::support::{audited, crossing, file, layer, page_data, town, world};
-use crate::values::{has, members};
+use crate::shared::{TOWN, has, members};
+use crate::support::{audited, crossing, file, layer, page_data, world};
 use serde_json::{Value, json};
 
 fn features(layer: &Value) -> &Vec<Value> {
@@ -198,10 +198,9 @@ fn a_page_shows_tables_topologies_and_hostile_names() {
     let found = page(BROKEN, "");
     assert_eq!(found["map"]["edges"], json!([3, 3]));
     assert_eq!(found["map"]["names"]["own"]["half_edges"][0], "e1,1");
-    let found = page(town(), "");
+    let found = page(TOWN, "");
     let edges = found["map"]["names"]["ids"]["edges"].as_array().unwrap().len();
     has(&found, &json!({"findings": [], "tone": "good", "map": {"edges": [edges, edges]}}));
     let name = "</script><script>alert(1)</script>\u{2028}\"'&<!--";
-    let found = page(SQUARES.replace("\"a\"", &json!(name).to_string()), "");
-    assert_eq!(found["features"][0][0], name);
+    assert_eq!(page(SQUARES.replace("\"a\"", &json!(name).to_string()), "")["features"][0][0], name);
 }

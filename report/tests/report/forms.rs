@@ -1,6 +1,7 @@
 //! Reports of the library, and the JSON of audits, conform to `docs/report.schema.json`; all forms of a report have the same findings.
 
-use crate::support::{Asked, crossing, file, page_data, town, uncoloured};
+use crate::shared::TOWN;
+use crate::support::{Asked, crossing, file, page_data, uncoloured};
 use boon::{Compiler, Schemas};
 use serde_json::{Value, json, to_value};
 use twinedge::validate::{Collect, Expectation, Table, validate};
@@ -42,7 +43,7 @@ fn all_forms_of_all_audits_have_what_the_page_promises() {
     let tables = file("examples/tables/five_faces.txt").replace("e2,2       V2      e2,1", "e2,2       V2      e3,1");
     let mut arcs: Value = serde_json::from_str(&file("formats/tests/layer/data/south-america.topojson")).unwrap();
     arcs["objects"]["countries"]["geometries"][0]["arcs"][0][0][0] = json!(36);
-    let mut town = town();
+    let mut town = TOWN.to_vec();
     // The first `mbr`: a box of 93 bytes, one of which belongs to the last ordinate.
     let at = town.windows(4).position(|bytes| bytes == [0, 0, 0, 93]).expect("a box");
     town[at + 93] ^= 1;

@@ -1,7 +1,7 @@
 //! An audit as a gate: accepted findings, differences, SARIF and `JUnit`.
 
+use crate::shared::{has, members};
 use crate::support::{Asked, parsed};
-use crate::values::{has, members};
 use boon::{Compiler, Schemas};
 use serde_json::{Value, json};
 use twinedge_report::{Accepted, Audited, Compared};
@@ -156,65 +156,42 @@ fn reports_that_do_not_say_all_are_not_compared() {
 }
 
 /// The requirements of the schema of SARIF 2.1.0 (OASIS, sections 3.13 to 3.54) on this output: required members, names, and the forms of values.
-fn sarif_schema() -> Value {
-    let message =
-        json!({"type": "object", "required": ["text"], "properties": {"text": {"type": "string", "minLength": 1}}});
-    let level = json!({"enum": ["none", "note", "warning", "error"]});
-    let artifact = json!({
-        "type": "object", "additionalProperties": false, "required": ["location"],
-        "properties": {
-            "location": {"type": "object", "required": ["uri"], "properties": {"uri": {"type": "string", "format": "uri-reference"}}},
-            "length": {"type": "integer", "minimum": 0},
-            "hashes": {"type": "object", "additionalProperties": {"type": "string"}},
-        },
-    });
-    let result = json!({
-        "type": "object", "additionalProperties": false, "required": ["message"],
-        "properties": {
-            "ruleId": {"type": "string"}, "ruleIndex": {"type": "integer", "minimum": -1}, "level": level, "message": message,
-            "locations": {"type": "array", "uniqueItems": false, "items": {
-                "type": "object", "additionalProperties": false,
-                "properties": {
-                    "physicalLocation": {"type": "object", "additionalProperties": false, "required": ["artifactLocation"], "properties": {
-                        "artifactLocation": {"type": "object", "properties": {"uri": {"type": "string", "format": "uri-reference"}, "index": {"type": "integer"}}},
-                        "region": {"type": "object", "properties": {"startLine": {"type": "integer", "minimum": 1}}},
-                    }},
-                    "logicalLocations": {"type": "array", "uniqueItems": true, "items": {"type": "object", "properties": {"name": {"type": "string"}}}},
-                },
-            }},
-            "partialFingerprints": {"type": "object", "additionalProperties": {"type": "string"}},
-            "suppressions": {"type": "array", "items": {"type": "object", "required": ["kind"], "properties": {"kind": {"enum": ["inSource", "external"]}, "justification": {"type": "string"}}}},
-        },
-    });
-    let rule = json!({"type": "object", "required": ["id"], "additionalProperties": false, "properties": {"id": {"type": "string"}, "name": {"type": "string"}, "shortDescription": message}});
-    let run = json!({
-        "type": "object", "required": ["tool"], "additionalProperties": false,
-        "properties": {
-            "tool": {"type": "object", "required": ["driver"], "properties": {"driver": {
-                "type": "object", "required": ["name"], "properties": {"name": {"const": "twinedge"}, "version": {"type": "string"}, "rules": {"type": "array", "uniqueItems": true, "items": rule}},
-            }}},
-            "artifacts": {"type": "array", "minItems": 1, "uniqueItems": true, "items": artifact},
-            "invocations": {"type": "array", "items": {"type": "object", "required": ["executionSuccessful"], "properties": {
-                "executionSuccessful": {"type": "boolean"},
-                "toolExecutionNotifications": {"type": "array", "items": {"type": "object", "required": ["message"], "properties": {"level": level, "message": message}}},
-            }}},
-            "results": {"type": "array", "items": result},
-            "columnKind": {"enum": ["utf16CodeUnits", "unicodeCodePoints"]},
-            "properties": {"type": "object"},
-        },
-    });
-    json!({
-        "type": "object", "required": ["version", "runs"], "additionalProperties": false,
-        "properties": {"$schema": {"type": "string", "format": "uri"}, "version": {"const": "2.1.0"}, "runs": {"type": "array", "minItems": 1, "items": run}},
-    })
-}
+const SARIF: &str = r##"{"type": "object", "additionalProperties": false, "required": ["version", "runs"], "properties": {
+"$schema": {"type": "string", "format": "uri"}, "version": {"const": "2.1.0"}, "runs": {"type": "array", "minItems": 1, "items": {
+  "type": "object", "additionalProperties": false, "required": ["tool"], "properties": {
+    "tool": {"type": "object", "required": ["driver"], "properties": {"driver": {"type": "object", "required": ["name"], "properties": {
+      "name": {"const": "twinedge"}, "version": {"type": "string"}, "rules": {"type": "array", "uniqueItems": true, "items": {
+        "type": "object", "additionalProperties": false, "required": ["id"],
+        "properties": {"id": {"type": "string"}, "name": {"type": "string"}, "shortDescription": {"$ref": "#/$defs/message"}}}}}}}},
+    "artifacts": {"type": "array", "minItems": 1, "uniqueItems": true, "items": {
+      "type": "object", "additionalProperties": false, "required": ["location"], "properties": {
+        "location": {"type": "object", "required": ["uri"], "properties": {"uri": {"$ref": "#/$defs/uri"}}},
+        "length": {"type": "integer", "minimum": 0}, "hashes": {"type": "object", "additionalProperties": {"type": "string"}}}}},
+    "invocations": {"type": "array", "items": {"type": "object", "required": ["executionSuccessful"], "properties": {
+      "executionSuccessful": {"type": "boolean"}, "toolExecutionNotifications": {"type": "array", "items": {
+        "type": "object", "required": ["message"], "properties": {"level": {"$ref": "#/$defs/level"}, "message": {"$ref": "#/$defs/message"}}}}}}},
+    "results": {"type": "array", "items": {"type": "object", "additionalProperties": false, "required": ["message"], "properties": {
+      "ruleId": {"type": "string"}, "ruleIndex": {"type": "integer", "minimum": -1}, "level": {"$ref": "#/$defs/level"},
+      "message": {"$ref": "#/$defs/message"}, "locations": {"type": "array", "items": {
+        "type": "object", "additionalProperties": false, "properties": {
+          "physicalLocation": {"type": "object", "additionalProperties": false, "required": ["artifactLocation"], "properties": {
+            "artifactLocation": {"type": "object", "properties": {"uri": {"$ref": "#/$defs/uri"}, "index": {"type": "integer"}}},
+            "region": {"type": "object", "properties": {"startLine": {"type": "integer", "minimum": 1}}}}},
+          "logicalLocations": {"type": "array", "uniqueItems": true, "items": {"type": "object", "properties": {"name": {"type": "string"}}}}}}},
+      "partialFingerprints": {"type": "object", "additionalProperties": {"type": "string"}},
+      "suppressions": {"type": "array", "items": {"type": "object", "required": ["kind"],
+        "properties": {"kind": {"enum": ["inSource", "external"]}, "justification": {"type": "string"}}}}}}},
+    "columnKind": {"enum": ["utf16CodeUnits", "unicodeCodePoints"]}, "properties": {"type": "object"}}}}},
+"$defs": {
+  "message": {"type": "object", "required": ["text"], "properties": {"text": {"type": "string", "minLength": 1}}},
+  "level": {"enum": ["none", "note", "warning", "error"]}, "uri": {"type": "string", "format": "uri-reference"}}}"##;
 
 #[test]
 fn sarif_has_its_form_and_all_findings() {
     let accepted = without_first(&all(&judged(4, [0, 1, 2], JUDGED, NOTHING), NOTHING, "a quarrel"));
     let (mut schemas, mut compiler) = (Schemas::new(), Compiler::new());
     compiler.enable_format_assertions();
-    compiler.add_resource("urn:sarif", sarif_schema()).unwrap();
+    compiler.add_resource("urn:sarif", read(SARIF.as_bytes())).unwrap();
     let schema = compiler.compile("urn:sarif", &mut schemas).unwrap();
     // Where borders are not cut, their crossings follow from the findings.
     for (words, list, count) in [(JUDGED, &*accepted, 2), ("--coverage", NOTHING, 8), ("", NOTHING, 8)] {

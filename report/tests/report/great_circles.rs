@@ -1,7 +1,7 @@
 //! Edges as great circles.
 
-use crate::support::{audited, json, layer, refused, text};
-use crate::values::{has, members};
+use crate::shared::{has, members};
+use crate::support::{audited, json, layer, refused, says};
 use serde_json::{Value, json};
 
 type Ring<'a> = &'a [[f64; 2]];
@@ -84,9 +84,8 @@ fn an_edge_between_antipodes_is_named_and_nothing_is_said_of_the_coverage() {
 #[test]
 fn text_and_layer_have_great_circles() {
     let two = of(&[LONG, BESIDE]);
-    let text = text(&*two, "--edges geodesic");
-    assert!(text.contains("edges are great circles, cut where they meet"), "{text}");
-    assert!(text.contains("C6  OGC validity not checked"), "{text}");
+    let cut = "edges are great circles, cut where they meet";
+    says(&*two, "--edges geodesic", &[cut, "C6  OGC validity not checked"]);
     let overlap = &layer(&audited(two, "--edges geodesic"))["features"][0];
     has(overlap, &json!({"properties": {"rule": "C1"}, "geometry": {"type": "Polygon"}}));
     // The drawn arc is curved.

@@ -1,7 +1,7 @@
 //! Reports on all kinds of inputs, from bytes to the forms that people and machines read.
 
+mod shared;
 mod support;
-mod values;
 
 mod between;
 mod by_tiles;

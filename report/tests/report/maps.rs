@@ -1,7 +1,7 @@
 //! Reports on maps: the structure, snapping, irregular rings, warnings, and the ids of findings.
 
-use crate::support::{broken, crossing, file, json, refused, text, world};
-use crate::values::{has, members};
+use crate::shared::{has, members};
+use crate::support::{broken, crossing, file, json, refused, says, text, world};
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
 
@@ -31,53 +31,25 @@ fn the_worlds_have_these_counts() {
     assert!(refused(world(), "--snap 1e-30").contains("out of reach of the grid: take larger cells"));
 }
 
-/// What people read of maps: text, options, and lines.
 #[test]
 fn people_read_these_lines() {
-    let dropped = "POLYGON Z ((0 0 5, 1 0 5, 1 1 5, 0 0 5))\nPOINT EMPTY\n";
+    says(world(), "", &["7,655", "structure valid · coverage: 1 gap, 2 invalid features"]);
+    says(crossing(), "--list 1", &["BROKEN", "more; see --list"]);
+    says(crossing(), "--snap auto", &["4 segments cut, 2 vertices made at crossings; points moved by at most"]);
+    says(DROPPED, "", &["\ndropped: the dimensions beyond x and y of 4 positions, 1 empty shape\n"]);
+    // Numbers agree with their nouns.
+    let crossing_lines = "LINESTRING (0 0, 2 2)\nLINESTRING (0 2, 2 0)\n";
+    says(crossing_lines, "", &["BROKEN  1 violation in ", "not valid: 1 violation; "]);
     let spike = "POLYGON ((0 0, 2 0, 2 2, 3 3, 2 2, 0 2, 0 0))\n";
-    for (input, words, lines) in [
-        (&*world(), "", &["7,655", "structure valid · coverage: 1 gap, 2 invalid features"][..]),
-        (&crossing(), "--list 1", &["BROKEN", "more; see --list"]),
-        (&crossing(), "--snap auto", &["4 segments cut, 2 vertices made at crossings; points moved by at most"]),
-        (dropped, "", &["\ndropped: the dimensions beyond x and y of 4 positions, 1 empty shape\n"]),
-        // Numbers agree with their nouns.
-        (
-            "LINESTRING (0 0, 2 2)\nLINESTRING (0 2, 2 0)\n",
-            "",
-            &["BROKEN  1 violation in ", "not valid: 1 violation; "],
-        ),
-        (spike, "", &["1 spike"]),
-        (
-            IRREGULAR,
-            "",
-            &[
-                "1 ring touches itself, 1 spike\n",
-                "  ring that touches itself at (2, 2): feature 0, shape 0, ring 0, point 5 (Bow)\n",
-            ],
-        ),
-        ("POLYGON((0 0,1 0,1 1))", "--coverage", &["Ring is not closed: a gap of 1.4142"]),
-        (
-            &json!({"type": "FeatureCollection", "features": [feature("Meier", SQUARE), feature("Kunz", "null")]})
-                .to_string(),
-            "",
-            &[
-                "the features have no names: --name-from owner takes them from a column\n",
-                "warning: 1 feature without geometry: feature 1\n",
-            ],
-        ),
-        (
-            &world(),
-            "--list 1 --explain",
-            &["   … and 1 more of C6; see --list\n", "\nC6: usual cause: ", "`twinedge clean` makes the polygons anew"],
-        ),
-    ] {
-        let text = text(input, words);
-        for line in lines {
-            assert!(text.contains(line), "{words}: {line}\n{text}");
-        }
-        assert!(!text.contains("(s)") && !text.contains('\u{1b}'), "{text}");
-    }
+    says(spike, "", &["1 spike"]);
+    assert!(!text(spike, "").contains("(s)"));
+    let bow = "  ring that touches itself at (2, 2): feature 0, shape 0, ring 0, point 5 (Bow)\n";
+    says(IRREGULAR, "", &["1 ring touches itself, 1 spike\n", bow]);
+    says("POLYGON((0 0,1 0,1 1))", "--coverage", &["Ring is not closed: a gap of 1.4142"]);
+    let column = "the features have no names: --name-from owner takes them from a column\n";
+    says(NAMELESS, "", &[column, "warning: 1 feature without geometry: feature 1\n"]);
+    let advice = "`twinedge clean` makes the polygons anew";
+    says(world(), "--list 1 --explain", &["   … and 1 more of C6; see --list\n", "\nC6: usual cause: ", advice]);
     assert_eq!(text(world(), "--list 1").matches("\nC6 OGC").count(), 1);
     let all = text(crossing(), "--list 100 --explain");
     let [c2, c6, g4, t3] = ["\nC2 gap", "\nC6 OGC", "\n   G4 the borders of Sudan", "\n   T3 the component"]
@@ -88,12 +60,12 @@ fn people_read_these_lines() {
     }
 }
 
-const SQUARE: &str = r#"{"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 1], [0, 0]]]}"#;
+const DROPPED: &str = "POLYGON Z ((0 0 5, 1 0 5, 1 1 5, 0 0 5))\nPOINT EMPTY\n";
 
-fn feature(owner: &str, geometry: &str) -> Value {
-    let geometry: Value = serde_json::from_str(geometry).unwrap();
-    json!({"type": "Feature", "properties": {"owner": owner}, "geometry": geometry})
-}
+/// A triangle with an owner, and a feature without geometry.
+const NAMELESS: &str = r#"{"type": "FeatureCollection", "features": [
+    {"type": "Feature", "properties": {"owner": "Meier"}, "geometry": {"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 0]]]}},
+    {"type": "Feature", "properties": {"owner": "Kunz"}, "geometry": null}]}"#;
 
 /// Returns the keys in alphabetical order.
 fn keys(value: &Value) -> String {
@@ -170,7 +142,7 @@ fn irregular_rings_and_dropped_parts_are_counted() {
     let expected =
         json!({"kind": "spike", "at": [-1.0, 4.0], "feature": 0, "name": "Bow", "shape": 0, "ring": 0, "point": 7});
     assert_eq!(*spike, expected);
-    let found = json("POLYGON Z ((0 0 5, 1 0 5, 1 1 5, 0 0 5))\nPOINT EMPTY\n", "");
+    let found = json(DROPPED, "");
     has(&found["import"], &json!({"with_extra_dimensions": 4, "dropped_empty": 1}));
     // An open ring is invalid.
     assert_eq!(json(r#"{"type":"Polygon","coordinates":[[[0,0],[1,0],[1,1]]]}"#, "--coverage")["verdict"], "invalid");
@@ -227,8 +199,7 @@ fn a_layer_in_millimetres_is_on_a_grid_of_millimetres() {
     let parcels = "POLYGON((2600000.123 1200000.001,2600010.457 1200000.333,2600010.999 1200010.777,2600000.123 1200000.001))\n\
                    POLYGON((2600010.457 1200000.333,2600020.813 1200001.219,2600010.999 1200010.777,2600010.457 1200000.333))\n";
     has(&json(parcels, "--snap 0.001"), &json!({"noding": {"cell": 0.001, "largest_move": [0, 0]}}));
-    let told = text(parcels, "--snap 0.001");
-    assert!(told.contains("snapped to a grid of 0.001: 0 segments cut"), "{told}");
+    says(parcels, "--snap 0.001", &["snapped to a grid of 0.001: 0 segments cut"]);
 }
 
 #[test]
@@ -239,8 +210,7 @@ fn lengths_along_the_earth_are_in_metres() {
     // A thin strip has no negative area.
     let area = coverage["findings"][0]["area"].as_f64().unwrap();
     assert!((area / 310_809_178.0 - 1.0).abs() < 1e-6, "{area}");
-    let told = text(strips, "--geodesic --gap-width 0.1");
-    assert!(told.contains("C3  near miss    ok  up to a width of 0.1000 degrees"), "{told}");
+    says(strips, "--geodesic --gap-width 0.1", &["C3  near miss    ok  up to a width of 0.1000 degrees"]);
 }
 
 /// Ids and names do not depend on the order of the features. (A component with handles had been named by its first vertex in the file.)

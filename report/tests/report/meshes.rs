@@ -1,12 +1,8 @@
 //! Reports on mesh files.
 
-use crate::support::{broken, json, refused, text};
-use crate::values::has;
+use crate::shared::{CUBE, has};
+use crate::support::{broken, json, refused, says, text};
 use serde_json::json;
-
-/// The faces of a cube, counted from 1, outward.
-const CUBE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n\
-    f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
 
 /// The cube with its second face flipped.
 fn flipped() -> String {
@@ -16,40 +12,20 @@ fn flipped() -> String {
 #[test]
 fn people_read_these_lines() {
     let off = "OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
-    for (input, words, lines) in [
-        (CUBE, "--closed", &["OBJ, 8 points, 6 faces", "T3  Euler"][..]),
-        (off, "--closed --sides 3", &["OFF, 4 points, 4 faces"]),
-        (
-            &flipped(),
-            "--sides 3",
-            &[
-                "T3  Euler",
-                "not valid",
-                "\nvertices, faces and corners (half-edges) are counted from 1, as the file counts points\n",
-                // The second line of faces is now 8 7 6 5, the third 1 2 6 5.
-                "\nflipped_faces faces 2 and 3 both run from vertex 6 to vertex 5: one of them is flipped\n",
-                "\nM3 face 1 has 4 sides, where 3 are expected\n",
-            ],
-        ),
-        (
-            "OFF 4 1 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n",
-            "",
-            &["(half-edges) are counted from 0\n", "no face uses vertex 3"],
-        ),
-        (
-            "v 0 0 0\nv 1 0 0\nv 0 1 0\n",
-            "--closed",
-            &["not valid", "no_faces there are no faces, so there is no surface"],
-        ),
-        (NOTCHED, "--no-crossings", &["M10  crossing", "not convex; triangulate them"]),
-    ] {
-        let text = text(input, words);
-        for line in lines {
-            assert!(text.contains(line), "{line}\n{text}");
-        }
-        for rule_of_the_plane in ["B2  isolated", "T1  outside", "T2  nesting", "T4  bounds"] {
-            assert!(!text.contains(rule_of_the_plane), "{text}");
-        }
+    let unused = "OFF 4 1 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n";
+    says(CUBE, "--closed", &["OBJ, 8 points, 6 faces", "T3  Euler"]);
+    says(off, "--closed --sides 3", &["OFF, 4 points, 4 faces"]);
+    let numbers = "\nvertices, faces and corners (half-edges) are counted from 1, as the file counts points\n";
+    // The second line of faces is now 8 7 6 5, the third 1 2 6 5.
+    let flip = "\nflipped_faces faces 2 and 3 both run from vertex 6 to vertex 5: one of them is flipped\n";
+    let sides = "\nM3 face 1 has 4 sides, where 3 are expected\n";
+    says(flipped(), "--sides 3", &["T3  Euler", "not valid", numbers, flip, sides]);
+    says(unused, "", &["(half-edges) are counted from 0\n", "no face uses vertex 3"]);
+    let no_faces = "no_faces there are no faces, so there is no surface";
+    says("v 0 0 0\nv 1 0 0\nv 0 1 0\n", "--closed", &["not valid", no_faces]);
+    says(NOTCHED, "--no-crossings", &["M10  crossing", "not convex; triangulate them"]);
+    for rule_of_the_plane in ["B2  isolated", "T1  outside", "T2  nesting", "T4  bounds"] {
+        assert!(!text(CUBE, "").contains(rule_of_the_plane) && !text(flipped(), "").contains(rule_of_the_plane));
     }
     // Four edges, one explanation.
     assert_eq!(text(flipped(), "--explain").matches("flipped_faces: usual cause: ").count(), 1);

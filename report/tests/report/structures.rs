@@ -1,46 +1,8 @@
 //! Reports on files of tables, the tables of a textbook, topologies of PostGIS, and arcs of TopoJSON.
 
-use crate::support::{audited, file, json, layer, page_data, refused, text, town};
-use crate::values::{has, members};
+use crate::shared::{TOPOLOGY, TOWN, broken_town, has, members};
+use crate::support::{audited, file, json, layer, page_data, refused, says, text};
 use serde_json::{Value, json};
-use std::fmt::Write as _;
-use std::sync::Mutex;
-use twinedge::dcel::Dcel;
-use twinedge::validate::{Expectation, Table};
-use twinedge_trials::corrupt::{CorruptWork, abort};
-use twinedge_trials::sample::SampleWork;
-use twinedge_trials::tables::TablesWork;
-use twinedge_trials::{Checker, Run, Structure, Validator, Verdict, corrupt, sample, tables};
-
-/// Writes each judged table with its verdict, as `twinedge-trials … --print` does.
-#[derive(Default)]
-struct Lines(Mutex<String>);
-
-impl Checker for Lines {
-    fn check(&self, table: &Table, expectation: &Expectation) -> Verdict {
-        Validator.check(table, expectation)
-    }
-
-    fn checked(&self, table: &Table, expectation: &Expectation, verdict: Verdict) {
-        let verdict = verdict.broken.map_or("ok", |rule| rule.id());
-        writeln!(self.0.lock().unwrap(), "# expect: {expectation}\n{table} = {verdict}").unwrap();
-    }
-}
-
-#[test]
-fn the_tables_of_the_trials_are_judged_as_they_are_there() {
-    let (lines, run) = (Lines::default(), Run::default());
-    tables(TablesWork { half_edges: 0 }, &lines, &run);
-    sample(SampleWork { tables: 1500, seed: 1 }, &lines, &run);
-    let slots = Structure::new("slots", Dcel::new, Expectation::plane());
-    corrupt(&slots, CorruptWork { edges: 0, pairs: 50, seed: 1 }, &lines, &run, &abort).unwrap();
-    let lines = lines.0.into_inner().unwrap();
-    let tables = lines.lines().count() / 2;
-    let right = lines.lines().filter(|line| line.ends_with(" = ok")).count();
-    let found = json(lines, "--list 0");
-    has(&found, &json!({"valid": false, "verdicts_differ": 0, "tables": tables, "valid_tables": right}));
-    assert!(tables > right && right > 0);
-}
 
 /// An isolated vertex in the unbounded face.
 const RIGHT: &str = "V 1 - 0 H 0 B 1 0 v0 i0 F 1 - 1 0";
@@ -57,11 +19,9 @@ fn each_line_is_judged_and_each_verdict_compared() {
     let lines = json!([[1, "F2"], [2, "F2"], [3, "ok"], [4, "F2"], [4, "F2"]]);
     assert_eq!(members(&found["violations"], &["line", "rule"]), lines);
     assert_eq!(found["violations"][2]["message"], "the file says R1");
-    let text = text(format!("{WRONG}\n{WRONG} = ok\n"), "--list 1");
-    for line in ["line 1  F2 ", "… and 2 more; see --list", "  F2  broken in 2 tables"] {
-        assert!(text.contains(line), "{line}\n{text}");
-    }
-    assert!(text.contains("not valid: 0 of 2 tables valid, 1 verdict of the file differs"), "{text}");
+    let verdict = "not valid: 0 of 2 tables valid, 1 verdict of the file differs";
+    let lines = ["line 1  F2 ", "… and 2 more; see --list", "  F2  broken in 2 tables", verdict];
+    says(format!("{WRONG}\n{WRONG} = ok\n"), "--list 1", &lines);
 }
 
 #[test]
@@ -97,7 +57,7 @@ fn inputs_that_are_not_of_their_kind_are_errors() {
         (b"V 0 H 0 B 0 F 0\n\xFF\n".to_vec(), "", "line 2"),
         (unknown.into_bytes(), "", "there is no half-edge `e7,3`"),
         (Vec::new(), "--postgis", "the stream is empty"),
-        (town()[..3000].to_vec(), "--postgis", "table edge_data, row "),
+        (TOWN[..3000].to_vec(), "--postgis", "table edge_data, row "),
         (b"{\"type\": \"FeatureCollection\"}".to_vec(), "--postgis", "no binary COPY stream begins here, but `{"),
         (TOPOLOGY.into(), "--arcs", "there are squares, town"),
     ] {
@@ -118,30 +78,22 @@ fn tables_of_a_textbook_are_audited_by_their_names() {
     let wrong = file("examples/tables/five_faces.txt").replace("e2,2       V2      e2,1", "e2,2       V2      e3,1");
     let first = &json(&*wrong, "")["violations"][0];
     assert!(first["rule"] == "L1" && first["message"].as_str().unwrap().contains("e2,2"), "{first}");
-    let text = text(wrong, "");
-    assert!(text.contains("L1  twin       BROKEN") && text.contains("not valid"), "{text}");
+    says(wrong, "", &["L1  twin       BROKEN", "not valid"]);
 }
 
 #[test]
 fn a_topology_of_postgis_is_judged_and_named_by_its_ids() {
+    let (bends, cached) =
+        ("\n  bends                                            16\n", "\n  P4  cached     ok      36 values\n");
     for words in ["--postgis", ""] {
-        let text = text(town(), words);
-        for line in [
-            "\n  bends                                            16\n",
-            "\n  P4  cached     ok      36 values\n",
-            "valid: every rule that applies holds",
-        ] {
-            assert!(text.contains(line), "{text}");
-        }
+        says(TOWN, words, &[bends, cached, "valid: every rule that applies holds"]);
     }
     let sentence = "next_left_edge of edge 1 is 99, and there is no such edge";
-    let told = text(broken_town(), "--explain");
     let rows = "   rows: SELECT * FROM edge_data WHERE edge_id IN (1);";
     let mend = "   mend: UPDATE edge_data SET next_left_edge = 3, abs_next_left_edge = 3 WHERE edge_id = 1;";
     let first = format!("R1 {sentence}\n   at (0, 0) (40, 0)\n{rows}\n{mend}\nR1: usual cause: ");
-    assert!(told.contains(&first) && told.contains("`SET search_path TO"), "{told}");
-    assert!(told.contains("not valid: 1 violation; 11 rules not checked ("), "{told}");
-
+    let verdict = "not valid: 1 violation; 11 rules not checked (";
+    says(broken_town(), "--explain", &[&first, "`SET search_path TO", verdict]);
     let found = json(broken_town(), "--explain");
     let violation = &found["violations"][0];
     has(violation, &json!({"rule": "R1", "message": sentence, "records": ["edge +1"]}));
@@ -155,34 +107,10 @@ fn a_topology_of_postgis_is_judged_and_named_by_its_ids() {
     assert!(feature["geometry"]["coordinates"].as_array().unwrap().len() >= 2);
 }
 
-/// The town with a wrong `next_left_edge` of edge 1.
-fn broken_town() -> Vec<u8> {
-    let mut bytes = town();
-    // The ids of edge 1: itself, its nodes, and its next edges 3 and −6.
-    let row: Vec<u8> =
-        [1, 1, 2, 3, 3, -6, 6, 2, 0].iter().flat_map(|id: &i32| [4_i32, *id]).flat_map(i32::to_be_bytes).collect();
-    let at = bytes.windows(row.len()).position(|window| window == row).expect("edge 1 is there");
-    // Two values of eight bytes precede it, each with its length.
-    for column in [3, 4] {
-        bytes[at + 8 * column + 7] = 99;
-    }
-    bytes
-}
-
-/// Two adjacent unit squares with a common arc, and a town.
-const TOPOLOGY: &str = r#"{"type": "Topology",
-"arcs": [[[1, 0], [1, 1]], [[1, 1], [0, 1], [0, 0], [1, 0]], [[1, 0], [2, 0], [2, 1], [1, 1]]],
-"objects": {
-  "squares": {"type": "GeometryCollection", "geometries": [
-    {"type": "Polygon", "id": "a", "properties": {"name": "left"}, "arcs": [[0, 1]]},
-    {"type": "Polygon", "id": "b", "properties": {"name": "right"}, "arcs": [[2, -1]]}]},
-  "town": {"type": "Point", "coordinates": [0.5, 0.5]}}}"#;
-
 #[test]
 fn arcs_are_judged_as_they_are_shared() {
     let asked = "--arcs --layer squares";
-    let told = text(TOPOLOGY, asked);
-    assert!(told.contains("arcs of TopoJSON") && told.contains("A2  sides      ok"), "{told}");
+    says(TOPOLOGY, asked, &["arcs of TopoJSON", "A2  sides      ok"]);
     // Both are the left square.
     let wrong = audited(TOPOLOGY.replace("[[2, -1]]", "[[0, 1]]"), asked);
     let message = "arc 0 has feature 0 of squares (left) and feature 1 of squares (right) on the same side";

@@ -122,6 +122,15 @@ pub(crate) fn text(input: impl Into<Vec<u8>>, words: &str) -> String {
     uncoloured(&audited(input, words).text().unwrap())
 }
 
+/// Asserts that people read these words.
+#[track_caller]
+pub(crate) fn says(input: impl Into<Vec<u8>>, options: &str, all: &[&str]) {
+    let text = text(input, options);
+    for words in all {
+        assert!(text.contains(words), "{options}: {words}\n{text}");
+    }
+}
+
 /// Removes the commands of a terminal.
 pub(crate) fn uncoloured(text: &str) -> String {
     let mut pieces = text.split('\u{1b}');
@@ -173,9 +182,4 @@ pub(crate) fn crossing() -> String {
 /// The map of the world.
 pub(crate) fn world() -> String {
     file("cli/data/world-110m.geojson")
-}
-
-/// A topology of PostGIS.
-pub(crate) fn town() -> Vec<u8> {
-    bytes("formats/tests/postgis/data/town.copy")
 }
