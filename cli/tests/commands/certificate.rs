@@ -239,6 +239,9 @@ fn with_little_memory_a_certificate_is_judged_the_same() {
     }
 }
 
+/// A change of a certificate, and the error.
+type Damage<'a> = (&'a dyn Fn(&Folder), &'a str);
+
 #[test]
 fn what_is_unreadable_is_said_in_one_line() {
     let append = |name: &'static str, bytes: &'static [u8]| {
@@ -246,7 +249,7 @@ fn what_is_unreadable_is_said_in_one_line() {
     };
     let remove = |folder: &Folder| fs::remove_file(folder.path("c/face_end.u32")).unwrap();
     let claim = |claim: &'static str| move |folder: &Folder| folder.write("c/claim.txt", claim);
-    let cases: [(&dyn Fn(&Folder), &str); 7] = [
+    let cases: [Damage<'_>; 7] = [
         (&remove, "face_end.u32"),
         (&append("c/face_end.u32", b"x"), "in the middle of a number"),
         (&append("c/face_end.u32", b"four"), "different lengths"),

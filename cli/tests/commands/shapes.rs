@@ -44,7 +44,8 @@ fn inputs() -> Folder {
 
 #[test]
 fn what_is_said_and_what_is_refused() {
-    inputs().transcript(
+    let folder = inputs();
+    folder.transcript(
         "
 decompose letters => 0 feature 1 ++ pieces
 decompose --feature Atlantis => 2 Atlantis
@@ -65,6 +66,7 @@ voronoi close.wkt => 2 too close to each other ++ --merge-close
 voronoi close.wkt --merge-close -o shared.geojson => 0 ; 3 points too close to others for a cell of their own: site 2 that of 1, 3 that of 1, 4 that of 1
 ",
     );
+    assert!(!folder.path("steps.svg").exists());
 }
 
 #[test]

@@ -21,7 +21,9 @@ pub(crate) struct Ran {
 impl Folder {
     pub(crate) fn new(files: &[(&str, &str)]) -> Self {
         let folder = Self(tempfile::tempdir().unwrap());
-        files.iter().for_each(|(name, content)| folder.write(name, content));
+        for (name, content) in files {
+            folder.write(name, content);
+        }
         folder
     }
 

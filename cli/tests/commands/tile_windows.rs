@@ -34,7 +34,9 @@ fn tile(folder: &Folder, file: &str, grid: &str, at: &str) -> Result<String, Str
 fn the_summary_of_a_tile_has_the_same_bytes_whether_all_was_read_or_its_window() {
     let folder = Folder::new(&[]);
     let files = ["world.fgb", "world.parquet"];
-    files.iter().for_each(|name| drop(folder.ok(&format!("convert {} -o {name} --lossy", crossing()))));
+    for name in files {
+        folder.ok(&format!("convert {} -o {name} --lossy", crossing()));
+    }
     for at in ["0,0", "1,0", "0,1", "1,1"] {
         let said = tile(&folder, &crossing(), "2x2", at).unwrap();
         assert!(said.contains("the whole file was read"), "{said}");
@@ -111,7 +113,9 @@ tile squares.fgb --grid 3x1 --tile 0,0 -o x --layer other => 2 there is no layer
 #[cfg(unix)]
 fn an_audit_by_tiles_reads_files_with_boxes_where_they_are_and_says_the_same() {
     let folder = squares();
-    ["fgb", "parquet"].iter().for_each(|to| drop(folder.ok(&format!("convert {} -o world.{to} --lossy", crossing()))));
+    for to in ["fgb", "parquet"] {
+        folder.ok(&format!("convert {} -o world.{to} --lossy", crossing()));
+    }
     let without_copy = |arguments: &str| {
         let ran = folder.run_with(&[("TMPDIR", "/nowhere")], &format!("audit --format json {arguments}"));
         if !ran.err.is_empty() {

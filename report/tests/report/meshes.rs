@@ -84,16 +84,11 @@ fn the_places_of_points_are_judged_if_asked_for() {
     let folded = CUBE.replace("v 1 1 1\n", "v 0.5 0.5 -1\n");
     let found = json(&*folded, "");
     assert_eq!((&found["verdict"], found["rules"].as_array().unwrap().len()), (&json!("valid"), 14));
-    let mut triangles = String::new();
-    for line in folded.lines() {
-        match line.strip_prefix("f ").map(|face| face.split(' ').collect::<Vec<_>>()) {
-            Some(face) => {
-                triangles += &format!("f {0} {1} {2}\nf {0} {2} {3}\n", face[0], face[1], face[2], face[3]);
-            }
-            None => triangles += &format!("{line}\n"),
-        }
-    }
-    let found = json(triangles, "--no-zero-area --no-crossings --outward");
+    let in_two = |line: &str| match line.strip_prefix("f ").map(|face| face.split(' ').collect::<Vec<_>>()) {
+        Some(face) => format!("f {0} {1} {2}\nf {0} {2} {3}\n", face[0], face[1], face[2], face[3]),
+        None => format!("{line}\n"),
+    };
+    let found = json(folded.lines().map(in_two).collect::<String>(), "--no-zero-area --no-crossings --outward");
     assert_eq!(broken(&found).iter().map(|(rule, _)| *rule).collect::<Vec<_>>(), ["M10"]);
     has(&found, &json!({"verdict": "invalid", "options": {"space": ["M9", "M10", "M11"]}}));
     assert_eq!(found["findings"][0]["rule"], "M10");
