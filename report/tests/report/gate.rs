@@ -194,7 +194,12 @@ fn sarif_has_its_form_and_all_findings() {
     compiler.add_resource("urn:sarif", read(SARIF.as_bytes())).unwrap();
     let schema = compiler.compile("urn:sarif", &mut schemas).unwrap();
     // Where borders are not cut, their crossings follow from the findings.
-    for (words, list, count) in [(JUDGED, &*accepted, 2), ("--coverage", NOTHING, 8), ("", NOTHING, 8)] {
+    for (words, list, count, level) in [
+        (JUDGED, &*accepted, 2, "error"),
+        ("--coverage", NOTHING, 8, "error"),
+        ("", NOTHING, 8, "error"),
+        ("--snap auto", NOTHING, 2, "warning"),
+    ] {
         let found = read(&judged(4, [0, 1, 2], words, list).sarif().unwrap());
         if let Err(why) = schemas.validate(&found, schema) {
             panic!("{words}: {why}");
@@ -203,13 +208,13 @@ fn sarif_has_its_form_and_all_findings() {
         let results = run["results"].as_array().unwrap();
         assert_eq!(results.len(), count, "{words}");
         let overlap = results.iter().find(|one| one["ruleId"] == "C1").unwrap();
-        assert_eq!(overlap["level"], "error", "{words}");
+        assert_eq!(overlap["level"], level, "{words}");
         let rules = run["tool"]["driver"]["rules"].as_array().unwrap();
         for one in results {
             assert_eq!(rules[one["ruleIndex"].as_u64().unwrap() as usize]["id"], one["ruleId"]);
         }
         let accepted = results.iter().filter(|one| one.get("suppressions").is_some()).count();
-        assert_eq!(accepted, usize::from(count == 2), "{words}");
+        assert_eq!(accepted, usize::from(words == JUDGED), "{words}");
         let uri = &overlap["locations"][0]["physicalLocation"]["artifactLocation"]["uri"];
         assert_eq!(uri, "file:///maps/a%20%26%20b.geojson");
     }
