@@ -96,6 +96,20 @@ fn each_form_of_a_report_counts_causes() {
     assert_eq!(results.iter().filter(|one| one["level"] == "error").count(), 5, "{sarif}");
 }
 
+/// The line crosses both borders at a corner of their overlap, which has one feature in common with each of these crossings.
+#[test]
+fn a_crossing_follows_from_findings_about_both_of_its_features_only() {
+    let layer = "POLYGON((0 0,10 0,10 10,0 10,0 0))\nPOLYGON((5 5,15 5,15 15,5 15,5 5))\nLINESTRING(9 4,11 6)\n";
+    let found = json(layer, "");
+    let crossings: Vec<_> = found["violations"].as_array().unwrap().iter().filter(|one| one["rule"] == "G4").collect();
+    assert!(crossings.len() > 2, "{found}");
+    for one in crossings {
+        let is_of_line = one["feature_numbers"].as_array().unwrap().contains(&json!(2));
+        assert_eq!(one.get("follows_from_id").is_none(), is_of_line, "{one}");
+    }
+    assert_eq!(found["first"]["rule"], "C1", "{found}");
+}
+
 #[test]
 fn a_headline_has_the_structure_and_the_coverage() {
     // Neither a missing parcel nor a copy makes borders cross.
