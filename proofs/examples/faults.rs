@@ -77,7 +77,7 @@ enum End {
 type Test = (&'static str, &'static str, &'static str);
 
 /// The checks that are test binaries.
-const TESTS: [(&str, Test); 16] = [
+const TESTS: [(&str, Test); 17] = [
     ("validate", ("twinedge", "--test=validate", "validate")),
     ("dcel", ("twinedge", "--test=dcel", "dcel")),
     ("program", ("twinedge", "--test=program", "program")),
@@ -93,13 +93,13 @@ const TESTS: [(&str, Test); 16] = [
     ("osm", ("twinedge-osm", "--test=osm", "osm")),
     ("mesh", ("twinedge-meshes", "--test=mesh", "mesh")),
     ("report", ("twinedge-report", "--lib", "twinedge_report")),
+    ("report", ("twinedge-report", "--test=report", "report")),
     ("commands", ("twinedge-cli", "--test=commands", "commands")),
 ];
 
-/// The modules of the program's tests that are checks: the first compares two checkers of certificates, the others are
-/// about reports and repairs.
-const OF_COMMANDS: [&str; 9] =
-    ["certificate", "audit", "between", "clean_tiles", "cleaning", "findings", "gate", "mesh", "verdict"];
+/// The modules of the program's tests that are checks: the first compares two checkers of certificates, the second is
+/// about repairs.
+const OF_COMMANDS: [&str; 2] = ["certificate", "clean"];
 
 /// The packages that faults are planted in, by the root files of their libraries.
 const ROOTS: [&str; 12] = [
@@ -116,9 +116,6 @@ const ROOTS: [&str; 12] = [
     "extras/osm/src/lib.rs",
     "extras/sphere/src/lib.rs",
 ];
-
-/// Its tests write into folders of their own, but all runs write into the same ones: one at a time.
-static COMMANDS_RUN: Mutex<()> = Mutex::new(());
 
 /// The folder of the proved checker of certificates, if it is built.
 const PROVED: &str = "proofs/coq";
@@ -368,14 +365,14 @@ impl Check {
             file if file.starts_with("extras/osm/") => &["osm"],
             file if file.starts_with("src/validate/near") => &["validate", "dcel", "audited"],
             file if file.starts_with("src/validate/") => {
-                &["validate", "map", "corrupt", "tables", "tables-lazy", "sample", "commands"]
+                &["validate", "map", "corrupt", "tables", "tables-lazy", "sample", "report"]
             }
             file if file.starts_with("crates/certificate/") => {
                 &["certificate", "map", "certificates", "certificates-lazy", "surfaces-lazy", "commands"]
             }
-            file if file.starts_with("crates/coverage/src/clean/") => &["layer", "commands"],
-            file if file.starts_with("crates/meshes/src/") => &["mesh", "commands"],
-            file if file.starts_with("crates/layers/") => &["layer", "commands"],
+            file if file.starts_with("crates/coverage/src/clean/") => &["layer", "report", "commands"],
+            file if file.starts_with("crates/meshes/src/") => &["mesh", "report"],
+            file if file.starts_with("crates/layers/") => &["layer", "report", "commands"],
             file if file.starts_with("crates/report/") => &["report", "commands"],
             file if file.starts_with("crates/coverage/src/tile/") => &["tile"],
             file if file.starts_with("crates/coverage/src/") => &["coverage"],
@@ -388,7 +385,6 @@ impl Check {
 
     /// Runs the check with a fault switched on.
     fn run(&self, fault: Option<usize>) -> Result<End> {
-        let _alone = self.name.starts_with("commands").then(|| COMMANDS_RUN.lock());
         let mut command = if cfg!(unix) {
             let mut shell = Command::new("sh");
             shell.args(["-c", &format!("ulimit -v {MEMORY}; exec \"$0\" \"$@\"")]).arg(&self.program);

@@ -1,6 +1,7 @@
 //! `twinedge audit --boundaries` and `twinedge convert --boundaries`: boundaries of OpenStreetMap.
 
-use crate::support::{complaint, json as run, twinedge};
+use crate::shared::{has, members};
+use crate::support::Folder;
 use pbf::File;
 use serde_json::{Value, json};
 
@@ -21,74 +22,55 @@ fn squares() -> File {
     file
 }
 
-fn audited(file: &File) -> (Option<i32>, Value) {
-    let file = file.written();
-    let path = file.path().to_str().unwrap();
-    run(&["audit", path, "--boundaries", "admin_level=6", "--coverage", "--format", "json", "--explain"])
+fn folder(file: &File) -> Folder {
+    let folder = Folder::new(&[]);
+    folder.write("map.osm.pbf", std::fs::read(file.written().path()).unwrap());
+    folder
 }
 
 #[test]
 fn relations_and_the_coverage_that_they_make_are_judged() {
-    let (status, report) = audited(&squares());
-    assert_eq!((status, &report["verdict"], &report["counts"]["faces"]), (Some(0), &json!("valid"), &json!(3)));
-    assert_eq!(report["options"]["boundaries"], json!("admin_level=6"));
-    let ids: Vec<_> = report["rules"].as_array().unwrap().iter().take(6).map(|rule| rule["id"].clone()).collect();
-    assert_eq!(ids, ["O1", "O2", "O3", "O4", "O5", "R1"]);
+    let audited = |file: &File| {
+        folder(file).json("audit map.osm.pbf --boundaries admin_level=6 --coverage --format json --explain").1
+    };
+    let report = audited(&squares());
+    has(&report, &json!({"verdict": "valid", "counts": {"faces": 3}, "options": {"boundaries": "admin_level=6"}}));
+    let ids = members(&report["rules"], &["id"]);
+    assert_eq!(ids.as_array().unwrap()[..6], ["O1", "O2", "O3", "O4", "O5", "R1"]);
 
     let mut file = squares();
     file.relation(300, "6", "West again", &[(10, ""), (11, "")]);
-    let (status, report) = audited(&file);
-    assert_eq!((status, &report["verdict"], &report["first"]["rule"]), (Some(1), &json!("invalid"), &json!("O4")));
-    let finding = &report["findings"][0];
-    assert_eq!((&finding["kind"], &finding["records"]), (&json!("same_side"), &json!(["way 10", "way 11"])));
+    let report = audited(&file);
+    has(&report, &json!({"verdict": "invalid", "first": {"rule": "O4"}}));
     let message = "West (relation/100) and West again (relation/300) lie on the same side of 2 ways";
-    assert_eq!(finding["message"], json!(message));
-    let of_coverage = &report["coverage"]["findings"];
-    assert_eq!(of_coverage[0]["rule"], json!("C5"), "{of_coverage}");
-}
-
-/// A layer without polygons would be refused; here, the reason is a finding.
-#[test]
-fn relations_without_any_ring_are_invalid() {
+    has(&report["findings"][0], &json!({"kind": "same_side", "records": ["way 10", "way 11"], "message": message}));
+    assert_eq!(report["coverage"]["findings"][0]["rule"], "C5", "{report}");
+    // A layer without polygons would be refused; here, the reason is a finding.
     let mut file = squares();
     file.ways.clear();
-    let (status, report) = audited(&file);
-    assert_eq!((status, &report["verdict"], &report["finding_count"]), (Some(1), &json!("invalid"), &json!(4)));
-    assert_eq!(report["first"]["rule"], json!("O1"));
+    has(&audited(&file), &json!({"verdict": "invalid", "finding_count": 4, "first": {"rule": "O1"}}));
 }
 
 #[test]
 fn boundaries_are_converted_with_a_warning_of_faults() {
-    let convert = |file: &File| {
-        let file = file.written();
-        let path = file.path().to_str().unwrap().to_owned();
-        twinedge(&["convert", &path, "--boundaries", "admin_level", "-o", "-", "--to", "geojson"])
-    };
-    let output = convert(&squares());
-    let layer: Value = serde_json::from_slice(&output.stdout).unwrap();
-    assert_eq!(
-        (&layer["features"][1]["id"], &layer["features"][1]["properties"]["name"]),
-        (&json!("relation/200"), &json!("East"))
-    );
-    assert!(output.stderr.is_empty());
+    let line = "convert map.osm.pbf --boundaries admin_level -o - --to geojson";
+    let ran = folder(&squares()).run(line);
+    let layer: Value = serde_json::from_str(&ran.out).unwrap();
+    has(&layer["features"][1], &json!({"id": "relation/200", "properties": {"name": "East"}}));
+    assert_eq!(ran.err, "");
     let mut open = squares();
     open.ways.pop();
-    let output = convert(&open);
-    let warning = String::from_utf8(output.stderr).unwrap();
-    assert!(output.status.success() && warning.contains("the relations have 2 faults"), "{warning}");
+    folder(&open).transcript(&format!("{line} => 0 the relations have 2 faults"));
 }
 
 #[test]
 fn a_file_without_tags_to_look_for_says_how_to_ask() {
-    let file = squares().written();
-    let path = file.path().to_str().unwrap();
-    let refused = |arguments: &[&str], why: &str| {
-        let complaint = complaint(&twinedge(&[&["audit"], arguments].concat()));
-        assert!(complaint.contains(why), "{complaint}");
-    };
-    refused(&[path], "--boundaries admin_level=6");
-    refused(&[path, "--boundaries", "admin_level=2"], "admin_level=2");
-    refused(&["-", "--boundaries", "admin_level=2"], "a file .osm.pbf is needed");
-    let misused = twinedge(&["audit", path, "--boundaries", "=2"]);
-    assert!(String::from_utf8(misused.stderr).unwrap().contains("KEY=VALUE or KEY"));
+    folder(&squares()).transcript(
+        "
+audit map.osm.pbf => 2 --boundaries admin_level=6
+audit map.osm.pbf --boundaries admin_level=2 => 2 admin_level=2
+audit - --boundaries admin_level=2 => 2 a file .osm.pbf is needed
+audit map.osm.pbf --boundaries =2 => 2 KEY=VALUE or KEY
+",
+    );
 }

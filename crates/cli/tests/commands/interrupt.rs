@@ -1,30 +1,22 @@
 //! Ctrl-C.
 
-use crate::support::{data, scratch_folder};
+use crate::support::{Folder, root};
 use std::process::{Command, Stdio};
 
 #[test]
 fn no_unfinished_files_are_left_behind() {
-    let folder = scratch_folder("unfinished");
+    let folder = Folder::new(&[]);
     // Writing takes seconds, so that the signal arrives in time even on a busy machine.
     let world: serde_json::Value =
-        serde_json::from_str(&std::fs::read_to_string(data("world-50m.geojson")).unwrap()).unwrap();
+        serde_json::from_str(&std::fs::read_to_string(root("tests/data/world-50m.geojson")).unwrap()).unwrap();
     let lines: Vec<String> = world["features"].as_array().unwrap().iter().map(ToString::to_string).collect();
-    let input = folder.join("worlds.geojsonl");
-    std::fs::write(&input, (lines.join("\n") + "\n").repeat(5)).unwrap();
-    let output = folder.join("worlds.geojson");
-    let has_unfinished = || {
-        std::fs::read_dir(&folder)
-            .unwrap()
-            .any(|entry| entry.unwrap().file_name().to_string_lossy().starts_with(".twinedge-"))
-    };
+    folder.write("worlds.geojsonl", (lines.join("\n") + "\n").repeat(5));
+    let has_unfinished = || folder.names("").iter().any(|name| name.starts_with(".twinedge-"));
     // A program that ended before the signal proves nothing.
     let was_interrupted = (0..50).any(|_| {
         let mut child = Command::new(env!("CARGO_BIN_EXE_twinedge"))
-            .arg("convert")
-            .arg(&input)
-            .args(["--lossy", "-o"])
-            .arg(&output)
+            .args(["convert", "worlds.geojsonl", "--lossy", "-o", "worlds.geojson"])
+            .current_dir(folder.path(""))
             .stdout(Stdio::null())
             .stderr(Stdio::null())
             .spawn()

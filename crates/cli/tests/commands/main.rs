@@ -1,31 +1,21 @@
-//! The output of the commands, their exit status, and the way they end.
+//! The arguments of the commands, what they print, their exit status, the files that they write, and the way they end.
 
+#[path = "../../../report/tests/report/shared.rs"]
+mod shared;
 mod support;
 
 mod audit;
-mod between;
 mod boundaries;
-mod causes;
 mod certificate;
-mod clean_tiles;
-mod cleaning;
-mod conveniences;
+mod clean;
+mod convert;
 mod draw;
-mod edges;
-mod findings;
-mod gate;
 mod help;
 #[cfg(target_os = "linux")]
 mod interrupt;
-mod layers;
-mod literature;
-mod mesh;
-mod overlay;
-mod postgis;
+mod lists;
 mod query;
 mod readme;
-mod schema;
-mod tables;
+mod shapes;
 mod tile;
 mod tile_windows;
-mod verdict;

@@ -1,7 +1,7 @@
 //! Cleaning by tiles reports and writes the same as cleaning the whole layer, for any grid.
 
 use super::{CleanedTiles, clean_in_tiles};
-use crate::clean::Repair;
+use crate::clean::{Cleaning, Repair};
 use crate::shelf::{InMemory, Shelf};
 use crate::tiles::Division;
 use quickcheck::{Arbitrary, Gen, QuickCheck};
@@ -285,6 +285,36 @@ fn a_hole_outside_of_its_polygon_becomes_a_part_of_it() {
         ..Repair::default()
     };
     assert_eq!(changed(&text, &repair, 2), Ok(1));
+}
+
+/// Rows of squares of 10. One square reaches half a unit into its right neighbour, far from a slit between two others.
+#[test]
+fn a_neighbourhood_that_does_not_fit_stays_as_it_is_and_is_said() {
+    let square = |i: u32| {
+        let [x, y] = [i % 8, i / 8].map(|place| f64::from(place) * 10.0);
+        let right = x + [10.0, 10.5, 9.9][usize::from(i == 9) + 2 * usize::from(i == 52)];
+        let ring = [[x, y], [right, y], [right, y + 10.0], [x, y + 10.0], [x, y]];
+        format!(r#"{{"type":"Feature","properties":{{}},"geometry":{{"type":"Polygon","coordinates":[{ring:?}]}}}}"#)
+            + "\n"
+    };
+    let text: String = (0..64).map(square).collect();
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("squares.geojsonl");
+    fs::write(&path, &text).unwrap();
+    let assign = Options { sliver_area: Some(1.5), ..Options::default() };
+    let repair = Repair { options: CleanOptions { assign, ..CleanOptions::default() }, ..Repair::default() };
+    let (_, written, tiles) = by_tiles(&path, &repair, Division::Within(1024));
+    assert_eq!(written, text);
+    let cleaning = Cleaning::of_tiles("squares", &repair, &tiles);
+    let report = cleaning.json();
+    // The squares that meet the box around the faulty ones: 16 for each fault.
+    let left = report["tiles"]["not_cleaned"].as_array().unwrap().iter();
+    let left: Vec<_> = left.map(|one| (one["features"][0]["number"].as_u64(), one["vertices"].as_u64())).collect();
+    assert_eq!(left, [(Some(1), Some(80)), (Some(44), Some(80))]);
+    let rules = report["left"]["findings"].as_array().unwrap().iter().map(|one| one["rule"].as_str().unwrap());
+    assert_eq!(rules.collect::<Vec<_>>(), [vec!["C1", "C2"], vec!["C7"; 6]].concat());
+    let line = "6 features between (10, 0) and (30, 30): the neighbourhood has 80 vertices";
+    assert!(report["clean"] == false && cleaning.text(20).unwrap().contains(line), "{report}");
 }
 
 /// Layers that one cleaning by tiles did not clean: vertices lie within a cell of borders.

@@ -1,6 +1,7 @@
-//! Reports of the library, and the JSON of `twinedge audit`, conform to `docs/report.schema.json`.
+//! Reports of the library, and the JSON of audits, conform to `docs/report.schema.json`; all forms of a report have the same findings.
 
-use crate::support::{data, scratch_folder, twinedge};
+use crate::shared::TOWN;
+use crate::support::{Asked, crossing, file, page_data, uncoloured};
 use boon::{Compiler, Schemas};
 use serde_json::{Value, json, to_value};
 use twinedge::validate::{Collect, Expectation, Table, validate};
@@ -36,60 +37,41 @@ fn negative_zeros(text: &str) -> usize {
     text.split([' ', ',', '[', ']', '\n']).filter(|word| ["-0", "-0.0"].contains(word)).count()
 }
 
-/// Every kind of input in every format: the form of the JSON, and equal findings in all formats.
+/// Every kind of input in every form: the form of the JSON, and equal findings in all forms.
 #[test]
-fn all_formats_of_all_audits_have_what_the_page_promises() {
-    let folder = scratch_folder("schema");
-    let file = |name: &str, content: &[u8]| {
-        std::fs::write(folder.join(name), content).unwrap();
-        folder.join(name).display().to_string()
-    };
-    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
-    let tables = std::fs::read_to_string(format!("{root}/examples/tables/five_faces.txt")).unwrap();
-    let topojson =
-        std::fs::read_to_string(format!("{root}/crates/layers/tests/layer/data/south-america.topojson")).unwrap();
-    let mut arcs: Value = serde_json::from_str(&topojson).unwrap();
+fn all_forms_of_all_audits_have_what_the_page_promises() {
+    let tables = file("examples/tables/five_faces.txt").replace("e2,2       V2      e2,1", "e2,2       V2      e3,1");
+    let mut arcs: Value = serde_json::from_str(&file("crates/layers/tests/layer/data/south-america.topojson")).unwrap();
     arcs["objects"]["countries"]["geometries"][0]["arcs"][0][0][0] = json!(36);
-    let mut town = std::fs::read(format!("{root}/crates/postgis/tests/postgis/data/town.copy")).unwrap();
+    let mut town = TOWN.to_vec();
     // The first `mbr`: a box of 93 bytes, one of which belongs to the last ordinate.
     let at = town.windows(4).position(|bytes| bytes == [0, 0, 0, 93]).expect("a box");
     town[at + 93] ^= 1;
     let signed = "LINESTRING (-0.0 0, 2 2)\nLINESTRING (0 2, 2 -0.0)\nLINESTRING (-0.0 0, 0 0, -1 -1)\n";
-    let state = file("state.wkt", b"POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))");
-    for (input, options, is_drawn) in [
-        (data("world-110m-crossing.geojson"), &[][..], true),
-        (file("signed.wkt", signed.as_bytes()), &[], true),
-        (
-            file("open.off", b"OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 1 0 3\n3 1 2 3\n"),
-            &["--closed"],
-            false,
-        ),
-        (
-            file("inside_out.off", b"OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 3 1\n3 1 3 2\n3 2 3 0\n"),
-            &["--outward"],
-            false,
-        ),
-        (
-            file("tables.txt", tables.replace("e2,2       V2      e2,1", "e2,2       V2      e3,1").as_bytes()),
-            &[],
-            true,
-        ),
-        (file("counties.wkt", b"POLYGON ((0 0, 3 0, 3 2, 0 2, 0 0))"), &["--against", &state], true),
-        (file("arcs.topojson", arcs.to_string().as_bytes()), &["--arcs"], true),
-        (file("town.copy", &town), &[], true),
+    let open = "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 1 0 3\n3 1 2 3\n";
+    let inside_out = "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 3 1\n3 1 3 2\n3 2 3 0\n";
+    let audit = |words: &str, input: &[u8]| {
+        Asked::new(&format!("{words} --explain --list 1000")).audit("input", input).unwrap()
+    };
+    let [county, state] = [3, 2].map(|x| format!("POLYGON ((0 0, {x} 0, {x} 2, 0 2, 0 0))"));
+    for (of, audited) in [
+        ("crossing", audit("", crossing().as_bytes())),
+        ("signed", audit("", signed.as_bytes())),
+        ("open", audit("--closed", open.as_bytes())),
+        ("inside out", audit("--outward", inside_out.as_bytes())),
+        ("tables", audit("", tables.as_bytes())),
+        ("layers", Asked::new("--explain --list 1000").against(&county, &state).unwrap()),
+        ("arcs", audit("--arcs", arcs.to_string().as_bytes())),
+        ("town", audit("", &town)),
     ] {
-        let audit = |format: &str| {
-            let output = twinedge(&[&["audit", &input, "--explain", "--format", format], options].concat());
-            assert_eq!(output.status.code(), Some(1), "{input}: {output:?}");
-            String::from_utf8(output.stdout).unwrap()
-        };
-        let json = audit("json");
+        let json = String::from_utf8(audited.json().unwrap()).unwrap();
         let document: Value = serde_json::from_str(&json).unwrap();
-        assert_eq!((complaint(&document), negative_zeros(&json)), (None, 0), "{input}: {json}");
+        assert_eq!((complaint(&document), negative_zeros(&json)), (None, 0), "{of}: {json}");
+        assert!(!audited.is_valid(), "{of}");
         let lists = [&document["violations"], &document["findings"], &document["coverage"]["findings"]];
         let listed: Vec<&Value> = lists.into_iter().filter_map(Value::as_array).flatten().collect();
         let has_all = |one: &&Value| ["kind", "message", "cause", "remedy"].iter().all(|key| one[key].is_string());
-        assert!(!listed.is_empty() && listed.iter().all(has_all), "{input}: {json}");
+        assert!(!listed.is_empty() && listed.iter().all(has_all), "{of}: {json}");
         let sorted = |mut messages: Vec<String>| {
             messages.sort();
             messages
@@ -100,18 +82,16 @@ fn all_formats_of_all_audits_have_what_the_page_promises() {
             words.split(", which follows").next().unwrap().to_owned()
         };
         let messages = sorted(listed.iter().map(|one| message(one)).collect());
-        let output = twinedge(&[&["audit", &input, "--list", "1000"], options].concat());
-        let text = String::from_utf8(output.stdout).unwrap();
-        assert!(messages.iter().all(|message| text.contains(message)), "{input}: {text}");
-        if is_drawn {
-            let layer: Value = serde_json::from_str(&audit("geojson")).unwrap();
+        let text = uncoloured(&audited.text().unwrap());
+        assert!(messages.iter().all(|message| text.contains(message)), "{of}: {text}");
+        if audited.mesh().is_none() {
+            let (layer, _) = audited.findings().unwrap();
+            let layer: Value = serde_json::from_slice(&layer).unwrap();
             let features = layer["features"].as_array().unwrap();
-            assert_eq!(sorted(features.iter().map(|one| message(&one["properties"])).collect()), messages, "{input}");
-            let page = audit("html");
-            let (_, page) = page.split_once("type=\"application/json\">").unwrap();
-            let page: Value = serde_json::from_str(page.split_once("</script>").unwrap().0).unwrap();
+            assert_eq!(sorted(features.iter().map(|one| message(&one["properties"])).collect()), messages, "{of}");
+            let page = page_data(&audited.page().unwrap()).unwrap();
             let findings = page["findings"].as_array().unwrap();
-            assert_eq!(sorted(findings.iter().map(message).collect()), messages, "{input}");
+            assert_eq!(sorted(findings.iter().map(message).collect()), messages, "{of}");
         }
     }
 }
