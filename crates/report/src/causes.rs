@@ -34,16 +34,17 @@ pub(crate) fn trace(findings: &mut [Diagnosis], violations: &mut [Diagnosis], cl
         let (rule, id) = source.map(|source| (findings[source].rule, findings[source].id.clone())).unzip();
         (findings[number].follows_from, findings[number].follows_from_id) = (rule.flatten(), id.flatten());
     }
-    let explained: Vec<Option<Explanation>> = {
+    let explained: Vec<Option<usize>> = {
         let findings = Findings::new(findings);
         violations.iter().map(|one| findings.explanation(one)).collect()
     };
     let (mut first, mut listed, mut is_accepted) = (None, 0, true);
     for (clash, explained) in violations.iter_mut().zip(explained).filter(|(one, _)| is_clash(one)) {
-        if let Some(Explanation { greatest, is_accepted }) = explained {
+        if let Some(greatest) = explained {
             let of = &mut findings[sources[greatest].unwrap_or(greatest)];
             (clash.follows_from, clash.follows_from_id) = (of.rule, of.id.clone());
-            clash.accepted = of.accepted.clone().filter(|_| is_accepted);
+            // It is accepted only if all that touch it are: an open finding has an open source.
+            clash.accepted.clone_from(&of.accepted);
             clash.is_violation = clash.accepted.is_none();
             of.is_violation |= clash.is_violation;
         } else {
@@ -189,9 +190,9 @@ impl<'a> Findings<'a> {
         if self.greater(a, b).is_le() { [a, b] } else { [b, a] }
     }
 
-    /// Explains a clash of borders by findings that touch it and are about two of its features or an invalid one. Missing vertices explain only
-    /// clashes at their places. O(findings there).
-    fn explanation(&self, clash: &Diagnosis) -> Option<Explanation> {
+    /// Returns the greatest finding that touches a clash of borders and is about two of its features, or else an invalid one; accepted only if all that
+    /// touch it are. Missing vertices explain only clashes at their places. O(findings there).
+    fn explanation(&self, clash: &Diagnosis) -> Option<usize> {
         let is_at_missing_vertex = clash.follows_from == Some(CoverageRule::Mismatch.id());
         let features = numbers(clash);
         let mut about = Vec::new();
@@ -216,16 +217,8 @@ impl<'a> Findings<'a> {
         let is_accepted = about.iter().all(|one| self.all[*one].accepted.is_some());
         // An accepted finding is not reported again, so nothing that counts follows from it.
         let is_open = |one: &usize| is_accepted || self.all[*one].accepted.is_none();
-        let greatest = about.into_iter().filter(explains).filter(is_open).min_by(order)?;
-        Some(Explanation { greatest, is_accepted })
+        about.into_iter().filter(explains).filter(is_open).min_by(order)
     }
-}
-
-struct Explanation {
-    /// The greatest finding; findings about two of the features come first.
-    greatest: usize,
-    /// True if all findings that touch the clash are accepted.
-    is_accepted: bool,
 }
 
 /// Returns the places where the findings caused by a clash have corners: the crossing, or both ends of an overlap.
