@@ -200,7 +200,9 @@ impl Darts {
 
     /// Places each half-edge on the dart between its ends, passing half-edges and darts together clockwise around each vertex.
     fn place_half_edges<E: Embedding + ?Sized>(&mut self, map: &E) -> Result<(), DrawingError> {
-        if let Some(half_edge) = half_edges(map).find(|h| map.bends(*h) > 0) {
+        // Only the half-edge with the smaller index is asked.
+        let is_bent = |h: &usize| map.twin(*h).is_none_or(|twin| *h <= twin) && map.bends(*h) > 0;
+        if let Some(half_edge) = half_edges(map).find(is_bent) {
             return Err(DrawingError::Bends { half_edge });
         }
         // Passes each vertex twice, to find its first half-edge and to place them all. An invalid rotation can take longer.

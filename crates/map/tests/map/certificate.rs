@@ -162,8 +162,8 @@ fn coordinates_are_integers_on_the_finest_grid_that_they_need() {
     assert!(draw(&PlanarMap::new()).is_ok_and(|drawing| drawing.columns.column(Column::DartTwin).len() == 6));
 }
 
-/// An edge with a bend.
-struct Bent;
+/// An edge, with the number of bends of each of its half-edges.
+struct Bent([usize; 2]);
 impl View for Bent {
     fn parts(&self) -> Parts {
         Parts::NONE
@@ -188,8 +188,8 @@ impl Embedding for Bent {
     fn point(&self, v: usize) -> Point {
         Point::new(v as f64, 0.0)
     }
-    fn bends(&self, _: usize) -> usize {
-        1
+    fn bends(&self, h: usize) -> usize {
+        self.0[h]
     }
 }
 
@@ -215,7 +215,13 @@ fn what_has_no_certificate_is_an_error() {
     map.points.iter_mut().for_each(|point| *point = Point::default());
     map.structure.half_edges.iter_mut().flatten().for_each(|row| *row = HalfEdgeRow::default());
     assert_eq!(draw(&map), Err(DrawingError::NotPlane));
-    assert_eq!(draw(&Bent), Err(DrawingError::Bends { half_edge: 0 }));
+    assert_eq!(draw(&Bent([1, 1])), Err(DrawingError::Bends { half_edge: 0 }));
+}
+
+/// Owners of structures need not answer for the half-edge with the larger index.
+#[test]
+fn bends_are_asked_of_the_half_edge_with_the_smaller_index() {
+    assert!(draw(&Bent([0, 1])).is_ok());
 }
 
 /// Columns of other lengths, missing points, and coordinates out of range are unreadable.
