@@ -192,7 +192,7 @@ impl<V: View> View for Wrong<'_, V> {
 /// With one fault, the fast path has freed its memory before the rules allocate theirs.
 #[test]
 fn a_structure_with_a_fault_takes_no_more_than_elsewhere() {
-    let edges = 100_000;
+    let edges = 20_000;
     let right = Polygon { edges, open: false };
     let surface = Expectation::surface();
     let forms = [surface, surface.open()].into_iter().flat_map(|claims| {
