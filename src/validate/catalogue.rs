@@ -468,7 +468,7 @@ macro_rules! catalogue {
     /// the bends and the segments between them are checked.
     G1 "finite" counts "vertex" "vertices"
         "coordinates are finite, and no edge has zero length"
-        in "crates/map/src/drawing/finite" broken by "crates/map/tests/map/drawing/embeddings" "g1_a_coordinate_that_is_not_finite"
+        in "crates/map/src/drawing/rules" broken by "crates/map/tests/map/drawing/embeddings" "g1_a_coordinate_that_is_not_finite"
     {
         NotFinite { vertex: vertex } "not_finite"
             says "vertex {vertex} has a coordinate that is not finite, or out of range"
@@ -496,7 +496,7 @@ macro_rules! catalogue {
     /// ```
     G2 "angles" counts "vertex" "vertices"
         "half-edges around a vertex are in angular order"
-        in "crates/map/src/drawing/angles" broken by "crates/map/tests/map/drawing/embeddings" "g2_two_leaves_of_a_star_have_changed_places"
+        in "crates/map/src/drawing/rules" broken by "crates/map/tests/map/drawing/embeddings" "g2_two_leaves_of_a_star_have_changed_places"
     {
         OutOfOrder { vertex: vertex, half_edge: half_edge, found: half_edge } "out_of_order"
             says "at vertex {vertex}, half-edge {found} follows half-edge {half_edge} in the rotation, but another lies between: the coordinates and the links disagree"
@@ -512,7 +512,7 @@ macro_rules! catalogue {
     /// ```
     G3 "winding" counts "cycle" "cycles"
         "outer cycles turn counter-clockwise, inner ones clockwise"
-        in "crates/map/src/drawing/winding" broken by "crates/map/tests/map/drawing/embeddings" "g3_a_square_seen_in_a_mirror"
+        in "crates/map/src/drawing/rules" broken by "crates/map/tests/map/drawing/embeddings" "g3_a_square_seen_in_a_mirror"
     {
         OuterClockwise { boundary: outer } "outer_clockwise"
             says "{boundary} turns clockwise, so its face would lie outside it"
@@ -532,7 +532,7 @@ macro_rules! catalogue {
     /// A bend is not an endpoint: edges do not meet there, and an edge does not pass through its own bends.
     G4 "disjoint" counts "edge" "edges"
         "edges meet only at shared endpoints"
-        in "crates/map/src/drawing/disjoint" broken by "crates/map/tests/map/drawing/embeddings" "g4_a_square_twisted_into_a_bow_tie"
+        in "crates/map/src/drawing/rules" broken by "crates/map/tests/map/drawing/embeddings" "g4_a_square_twisted_into_a_bow_tie"
     {
         Cross { first: half_edge, second: half_edge } "cross"
             says "half-edges {first} and {second} cross where no vertex is: the map is not plane"
@@ -584,7 +584,7 @@ macro_rules! catalogue {
     /// ```
     G5 "inside" counts "boundary component" "boundary components"
         "each inner boundary component lies in the face that lists it, and a component that no face lists lies in no face"
-        in "crates/map/src/drawing/inside" broken by "crates/map/tests/map/drawing/embeddings" "g5_an_island_listed_by_the_face_next_door"
+        in "crates/map/src/drawing/rules" broken by "crates/map/tests/map/drawing/embeddings" "g5_an_island_listed_by_the_face_next_door"
     {
         WrongFace { boundary: inner, face: face, found: face_link } "wrong_face"
             says "{boundary} is listed by face {face}, but lies in {place}"

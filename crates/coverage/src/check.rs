@@ -1,10 +1,9 @@
 //! Checking a map against all coverage rules that a map can answer.
 
-use super::duplicate::{duplicates, first_like};
 use super::finding::{CoverageRule, Finding, Limits};
 use super::gap::{Gaps, gaps};
 use super::near_miss::{chosen_width, near_misses};
-use super::overlap::overlaps;
+use super::overlap::{duplicates, first_like, overlaps};
 use super::sliver::slivers;
 use rustc_hash::FxHashSet;
 use thiserror::Error;

@@ -40,7 +40,6 @@
 mod apart;
 mod check;
 pub mod clean;
-mod duplicate;
 mod finding;
 mod gap;
 pub mod layers;

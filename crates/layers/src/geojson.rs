@@ -5,10 +5,10 @@ use super::each::Each;
 use super::error::{ReadError, WriteError};
 #[cfg(not(target_family = "wasm"))]
 use super::geojson_cut::read_parts;
+use super::json::Names;
 use super::json::{self, InDegrees};
 use super::losses::is_reserved_in_json;
 use super::model::{Feature, Geometry, Header, Id, Layer, Members, Position, Shape, Value, json_number};
-use super::names::Names;
 use ::geojson::{Feature as Parsed, Geometry as ParsedGeometry, GeometryValue, feature};
 use serde_json::Value as Json;
 use std::io::{self, Read, Write};

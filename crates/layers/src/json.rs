@@ -2,6 +2,8 @@
 
 use super::crs::Crs;
 use super::model::{Dimensions, Geometry, Members, Position, Shape};
+use rustc_hash::FxHashMap;
+use std::sync::Arc;
 
 /// Creates a geometry, deriving its dimensions from the positions. A third number is a height; if positions differ in their
 /// number of numbers, the dimensions have no such name.
@@ -26,5 +28,20 @@ impl InDegrees {
     /// Returns the reference system of a file that names none: WGS 84, if there are coordinates and they are in its range.
     pub(super) fn crs(&self) -> Option<Crs> {
         (self.0 == Some(true)).then(|| Crs::epsg(4326))
+    }
+}
+
+#[derive(Debug, Default)]
+pub(super) struct Names(FxHashMap<Box<str>, Arc<str>>);
+
+impl Names {
+    /// Returns the shared copy of a name. O(its length), expected.
+    pub(super) fn get(&mut self, name: &str) -> Arc<str> {
+        if let Some(known) = self.0.get(name) {
+            return known.clone();
+        }
+        let new: Arc<str> = name.into();
+        self.0.insert(name.into(), new.clone());
+        new
     }
 }

@@ -80,8 +80,6 @@ mod json;
 mod loss;
 mod losses;
 mod model;
-#[cfg(any(feature = "geojson", feature = "topojson"))]
-mod names;
 pub mod nesting;
 mod overlay;
 mod read;
@@ -90,7 +88,6 @@ mod shapefile;
 mod to_map;
 #[cfg(feature = "topojson")]
 pub mod topojson;
-mod unique;
 mod windows;
 #[cfg(feature = "wkb")]
 mod wkb;

@@ -1,6 +1,7 @@
 //! Layers: features with geometries and attributes, and further data of a file.
 
 use super::crs::Crs;
+use std::collections::HashSet;
 use std::sync::Arc;
 
 /// A position: x, y, and the further dimensions of the file.
@@ -433,4 +434,16 @@ pub(super) fn kind_of(value: &Value) -> Option<FieldKind> {
         Value::Bytes(_) => FieldKind::Bytes,
         Value::Json(_) => FieldKind::Json,
     })
+}
+
+/// Returns a name that no other column has, ignoring case.
+pub(super) fn unique(name: &str, taken: &mut HashSet<String>) -> String {
+    let mut free = if name.is_empty() { "field".to_owned() } else { name.to_owned() };
+    for number in 1.. {
+        if taken.insert(free.to_lowercase()) {
+            break;
+        }
+        free = format!("{name}_{number}");
+    }
+    free
 }

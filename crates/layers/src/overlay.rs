@@ -1,9 +1,9 @@
 //! The overlay of two layers: the pieces, with the attributes of both.
 
 use super::crs::Crs;
+use super::model::unique;
 use super::model::{Dimensions, Feature, Field, Geometry, Header, Layer, Line, Members, Position, Shape, Value};
 use super::to_map;
-use super::unique::unique;
 use crate::io::ReadSummary;
 use std::collections::HashSet;
 use std::sync::Arc;

@@ -12,7 +12,7 @@
 //! Clashes of borders (G4) follow from the greatest finding about their features that they touch, and T3 follows from the clashes. Findings by tiles
 //! have no shapes, so only missing vertices are known to touch anything.
 
-use crate::reader_words::common;
+use crate::diagnosis_text::common;
 use std::cmp::Ordering;
 use std::collections::HashMap;
 use twinedge::validate::Rule;

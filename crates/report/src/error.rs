@@ -1,8 +1,8 @@
 //! The reason why there is no report.
 
 use crate::textbook::TablesError;
-use crate::tile_words::{in_words, made_without};
 use crate::words::{counted, grouped};
+use crate::words::{in_words, made_without};
 use std::io;
 use twinedge_coverage::CoverageError;
 use twinedge_coverage::tile::{AuditError, GridError, Tile};

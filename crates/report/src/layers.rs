@@ -7,7 +7,7 @@ use crate::input::Input;
 use crate::names::named;
 use crate::noted::Keep;
 use crate::options::Options;
-use crate::parent_column::ParentColumn;
+use crate::options::ParentColumn;
 use crate::report::AuditReport;
 use crate::shelf::InMemory;
 use crate::trace::{of_extent, position};

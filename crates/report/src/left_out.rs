@@ -1,7 +1,7 @@
 //! Names of missing tiles.
 
 use crate::error::Error;
-use crate::tile_words::{NAMED, of_tiles};
+use crate::words::{NAMED, of_tiles};
 use twinedge_coverage::tile::{Crossing, CrossingKind, Grid, Outcome, Summary, Tile};
 use twinedge_geometry::Point;
 

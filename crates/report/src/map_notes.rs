@@ -1,8 +1,8 @@
 //! Notes on the input of a map.
 
 use crate::imported::Imported;
-use crate::noding_text;
 use crate::report::Note;
+use crate::words::noding_line;
 use crate::words::{counted, grouped, plain};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -14,7 +14,7 @@ pub(crate) fn notes(imported: &Imported, warnings: Vec<String>) -> Vec<Note> {
     let Imported { read, map, noted, .. } = imported;
     let mut notes = vec![Note::Plain(input_line(&imported.summary, imported.orients_rings))];
     notes.extend(dropped_line(read).map(Note::Plain));
-    notes.extend(map.noding().map(noding_text::line).map(Note::Plain));
+    notes.extend(map.noding().map(noding_line).map(Note::Plain));
     notes.extend(warnings.into_iter().map(Note::Warning));
     notes.extend(noted.hint().map(Note::Plain));
     notes.extend(irregularities(imported).into_iter().map(Note::Detail));

@@ -8,7 +8,7 @@ use crate::packed::Window;
 use crate::trace::has_place;
 use crate::verdict::{Judged, Verdict};
 use crate::words::{counted, grouped, not_checked};
-use crate::{causes, reader_words};
+use crate::{causes, diagnosis_text};
 use serde::Serialize;
 use serde_json::{Map, Value};
 use std::collections::HashMap;
@@ -213,7 +213,7 @@ impl AuditReport {
             self.accepted_before = Some(accepted.clone());
         }
         for one in &mut self.violations {
-            one.sentence = reader_words::sentence(one, self.style.decimals);
+            one.sentence = diagnosis_text::sentence(one, self.style.decimals);
         }
         let clashes = self.rules.iter().find(|rule| rule.id == Rule::G4.id()).map_or(0, |rule| rule.violations);
         if let Some(coverage) = &mut self.coverage {

@@ -12,10 +12,10 @@ use crate::noted::{Noted, are_degrees};
 use crate::options::Options;
 use crate::report::{AuditReport, CoverageStyle, JsonForm, counts};
 use crate::shelf::Shelf;
-use crate::tile_words::made_without;
 use crate::trace::position;
 use crate::units::Units;
 use crate::words::counted;
+use crate::words::made_without;
 use serde_json::{Map, Value, json, to_value};
 use twinedge::validate::{Rule, Violation};
 use twinedge_coverage::tile::{

@@ -1,6 +1,9 @@
-//! Numbers and names in text for people, and JSON output.
+//! Numbers, names, tiles and the summary of noding in text for people, and JSON output.
 
 use serde_json::Value;
+use std::fmt::Write as _;
+use twinedge_coverage::tile::Tile;
+use twinedge_geometry::noding::NodingSummary;
 
 /// Formats a number with grouped thousands.
 #[must_use]
@@ -122,6 +125,50 @@ pub mod style {
     pub const DOUBTFUL: Style = AnsiColor::Yellow.on_default().bold();
     /// For secondary text.
     pub const QUIET: Style = AnsiColor::BrightBlack.on_default();
+}
+
+/// The number of tiles named in a message.
+pub(crate) const NAMED: usize = 10;
+
+/// Names the first tiles by their columns and rows, and counts the rest of `count`.
+pub(crate) fn in_words(tiles: &[Tile], count: u64) -> String {
+    let named = tiles.iter().take(NAMED).map(|tile| format!("({tile})"));
+    let mut named: Vec<String> = named.collect();
+    let more = count.saturating_sub(named.len() as u64);
+    named.extend((more > 0).then(|| format!("{} more", grouped(more))));
+    let last = named.pop().unwrap_or_default();
+    if named.is_empty() { last } else { format!("{} and {last}", named.join(", ")) }
+}
+
+pub(crate) fn of_tiles(tiles: &[Tile]) -> String {
+    format!("tile{} {}", if tiles.len() == 1 { "" } else { "s" }, in_words(tiles, tiles.len() as u64))
+}
+
+/// A sentence about tiles made without cuts.
+pub(crate) fn made_without(tiles: &[Tile]) -> String {
+    format!("{} {} made without cuts", of_tiles(tiles), if tiles.len() == 1 { "was" } else { "were" })
+}
+
+/// Returns the summary of noding in one line.
+#[must_use]
+pub(crate) fn noding_line(noding: &NodingSummary) -> String {
+    let cut = counted(noding.split, "segment");
+    let exponent = noding.cell.log2();
+    let cell = if exponent.fract() == 0.0 { format!("2^{exponent}") } else { noding.cell.to_string() };
+    let mut line = format!("snapped to a grid of {cell}: {cut} cut");
+    for (count, name, what) in [
+        (noding.crossings, "vertex", "made at crossings"),
+        (noding.merged, "point", "merged with others"),
+        (noding.collapsed, "segment", "collapsed"),
+        (noding.duplicates, "segment", "repeated"),
+    ] {
+        if count > 0 {
+            let _ = write!(line, ", {} {what}", counted(count, name));
+        }
+    }
+    let [x, y] = noding.largest_move;
+    let _ = write!(line, "; points moved by at most {x:.2e} in x and {y:.2e} in y");
+    line
 }
 
 #[cfg(test)]

@@ -2,8 +2,8 @@
 
 use super::super::crs::Crs;
 use super::super::error::WriteError;
+use super::super::model::unique;
 use super::super::model::{Dimensions, Feature, Field, FieldKind, Geometry, Id, Layer, Value};
-use super::super::unique::unique;
 use super::super::wkb;
 use super::{MAGIC, quoted};
 use rusqlite::types::Value as Sql;

@@ -2,8 +2,8 @@
 
 use super::super::error::WriteError;
 use super::super::loss::{Loss, absent};
+use super::super::model::unique;
 use super::super::model::{Dimensions, EDGES, Feature, Field, FieldKind, Geometry, Layer, Value, kind_of};
-use super::super::unique::unique;
 use super::super::wkb;
 use super::ids::{self, id_kind};
 use super::{GEO, SIDES, crs, moment};

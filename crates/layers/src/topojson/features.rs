@@ -3,9 +3,9 @@
 use super::super::crs::Crs;
 use super::super::each::Each;
 use super::super::error::{Cause, Place, ReadError};
+use super::super::json::Names;
 use super::super::json::{InDegrees, geometry};
 use super::super::model::{Feature, Header, Id, Line, Members, Position, Shape, Value};
-use super::super::names::Names;
 use super::document::{Document, check_finite, content};
 use crate::io::MAX_NESTED_COLLECTIONS;
 use serde_json::Value as Json;

@@ -5,8 +5,7 @@ use super::components::Components;
 use super::lists::Lists;
 use super::segments::Segments;
 use crate::Embedding;
-use crate::drawing::inside::Inside;
-use crate::drawing::{angles, disjoint, finite, winding};
+use crate::drawing::rules::{Inside, angles, disjoint, finite, winding};
 use twinedge::validate::{Collect, Expectation, Findings, Flow, Part, Report, Rule, Unchecked, validate};
 
 const GEOMETRIC: &[Rule] = &[Rule::G1, Rule::G2, Rule::G3, Rule::G4, Rule::G5];
@@ -67,7 +66,7 @@ fn all_rules<E: Embedding + ?Sized>(
             return Ok(());
         }
     };
-    finite::check(findings, &columns)?;
+    finite(findings, &columns)?;
     if let Some(rule) = findings.broken(&[Rule::G1]) {
         for later in &GEOMETRIC[1..] {
             findings.not_checked(*later, Unchecked::Broken(rule));
@@ -76,7 +75,7 @@ fn all_rules<E: Embedding + ?Sized>(
     }
     match first_broken(topology, &[Rule::V1, Rule::V2]) {
         Some(why) => findings.not_checked(Rule::G2, why),
-        None => angles::check(findings, &columns)?,
+        None => angles(findings, &columns)?,
     }
     let segments = Segments::of(&columns);
     let components = match Components::of(&columns) {
@@ -88,7 +87,7 @@ fn all_rules<E: Embedding + ?Sized>(
             return Ok(());
         }
     };
-    let below = disjoint::check(findings, &columns, &segments, &components)?;
+    let below = disjoint(findings, &columns, &segments, &components)?;
     let faces =
         first_broken(topology, &[Rule::V2, Rule::B1, Rule::B2, Rule::F1, Rule::F2, Rule::T1, Rule::T2, Rule::T3]);
     let why = faces.or_else(|| findings.broken(&[Rule::G4]).map(Unchecked::Broken));
@@ -100,7 +99,7 @@ fn all_rules<E: Embedding + ?Sized>(
     };
     let parts = expectation.looks_at(embedding.parts());
     let lists = Lists::of(embedding, parts, &columns);
-    winding::check(findings, &columns, &lists)?;
+    winding(findings, &columns, &lists)?;
     if let Some(rule) = findings.broken(&[Rule::G2, Rule::G3]) {
         findings.not_checked(Rule::G5, Unchecked::Broken(rule));
         return Ok(());

@@ -1,7 +1,7 @@
 //! The report as text.
 
 use super::{Cleaning, Written};
-use crate::noding_text;
+use crate::words::noding_line;
 use crate::words::style::{BAD, GOOD, QUIET};
 use crate::words::{counted, decimals_of, grouped, measure, place, plain};
 use std::fmt::Write as _;
@@ -21,7 +21,7 @@ impl Cleaning<'_> {
         let all = counted(self.features, "feature");
         writeln!(out, "{QUIET}{all}, {} with polygons{QUIET:#}", grouped(report.polygons))?;
         if let Some(noding) = report.noding.as_ref().filter(|noding| noding.cell > 0.0) {
-            writeln!(out, "{QUIET}{}{QUIET:#}", noding_text::line(noding))?;
+            writeln!(out, "{QUIET}{}{QUIET:#}", noding_line(noding))?;
         }
         let limit = format!("  {QUIET}below an area of {}{QUIET:#}", measure(report.sliver_area));
         if let Some(tiles) = &self.tiles {
