@@ -47,8 +47,7 @@ fn the_page_of_the_rules_states_each_in_the_same_words() {
 fn the_check_of_each_rule_is_headed_by_its_statement() {
     for (rule, file, _, _) in documented() {
         let text = read(&format!("{file}.rs"));
-        let marker = if rule.is_geometric() { "//!" } else { "///" };
-        let head = comment(&text, marker, &format!("{rule} {}", rule.name()));
+        let head = comment(&text, "///", &format!("{rule} {}", rule.name()));
         assert_eq!(head, Some(format!("{rule} {}: {}.", rule.name(), rule.statement())), "{file}.rs");
     }
 }

@@ -8,7 +8,7 @@ use crate::input_kind::InputKind;
 use crate::layers::{self, Other};
 use crate::noted::Keep;
 use crate::options::{Edges, Options};
-use crate::options::{as_json, of_mesh};
+use crate::options_json::{as_json, of_mesh};
 use crate::packed::Picture;
 use crate::report::AuditReport;
 use crate::shelf::Shelf;

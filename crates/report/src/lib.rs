@@ -48,6 +48,7 @@ mod mesh;
 pub mod names;
 mod noted;
 mod options;
+mod options_json;
 pub mod outline;
 mod packed;
 mod page;
