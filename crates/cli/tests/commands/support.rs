@@ -10,7 +10,7 @@ use tempfile::TempDir;
 /// A folder with inputs, in which the program runs.
 pub(crate) struct Folder(TempDir);
 
-/// What a run left behind.
+/// The exit status and the output of a run.
 #[derive(Debug)]
 pub(crate) struct Ran {
     pub(crate) status: Option<i32>,
