@@ -35,6 +35,7 @@
 //!
 //! | input for tests of one's own | |
 //! | --- | --- |
+//! | [`canonical`] | canonical forms: tells whether two maps are the same up to names |
 //! | [`census`] | every small map, each once, grown by the operators |
 //! | [`enumerate`] | every small table, and every change of one cell of a larger one |
 //! | [`forms`] | the 112 forms in which a structure can keep a map, and a map in each |
@@ -76,6 +77,7 @@ mod shard;
 mod structure;
 mod verdict;
 
+pub mod canonical;
 pub mod census;
 pub mod corrupt;
 pub mod enumerate;
