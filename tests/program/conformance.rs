@@ -4,12 +4,12 @@ use crate::support::programs::{program, random};
 use std::cell::Cell;
 use std::rc::Rc;
 use twinedge::dcel::Dcel;
-use twinedge::delegate_view;
 use twinedge::program::conformance::{
     Conformance, ConformanceSummary, Coverage, Difference, Failure, InStep, OperatorCounts, Question,
 };
 use twinedge::program::*;
 use twinedge::validate::{Expectation, Link, Part, Parts, Rule, View};
+use twinedge::{delegate_subject, delegate_view};
 use twinedge_trials::RawPointers;
 
 /// The fault of a subject.
@@ -260,6 +260,54 @@ fn handles_that_disagree_with_the_view_are_found() {
     let (program, failure) = shrunk(Fault::FaceOf);
     assert!(matches!(failure.difference, Difference::Answers { question: Question::Face, .. }), "{failure}");
     assert!(program.0.len() <= 5, "{program}");
+}
+
+/// A structure whose view is that of another one, to which each operator is applied with a change, or not at all.
+struct Apart {
+    answers: RawPointers,
+    view: RawPointers,
+    change: fn(CallOf<RawPointers>) -> Option<CallOf<RawPointers>>,
+}
+
+impl View for Apart {
+    delegate_view!(|this| &this.view);
+}
+
+impl Subject for Apart {
+    delegate_subject!(RawPointers, |this| &this.answers);
+
+    fn apply(&mut self, call: CallOf<Self>) -> Result<Option<HandleOf<Self>>, Refusal> {
+        (self.change)(call.clone()).map(|call| self.view.apply(call)).transpose()?;
+        self.answers.apply(call)
+    }
+}
+
+/// Each view is a valid map, whose half-edges and vertices have the right handles.
+#[test]
+fn a_view_of_another_map_is_found() {
+    type Change = fn(CallOf<RawPointers>) -> Option<CallOf<RawPointers>>;
+    let unmoved: Change = |call| (!matches!(call, Call::MoveInner { .. })).then_some(call);
+    let turned_out: Change = |call| match call {
+        Call::Connect { from, to, inner, .. } => Some(Call::Connect { from, to, new_face: Side::Right, inner }),
+        call => Some(call),
+    };
+    let emptied: Change = |call| (!matches!(call, Call::AddIsolatedVertex { .. })).then_some(call);
+    let on_face = Difference::View { half_edge: 0, corner: 0, question: Question::Face };
+    for (text, change, difference) in [
+        ("add_isolated_vertex unbounded", emptied, Difference::Missing { corner: 0 }),
+        // A loop on a sphere: its faces are told apart by which one is unbounded.
+        ("add_isolated_vertex unbounded\nconnect i0 ~0 left", turned_out, on_face),
+        (
+            "add_isolated_vertex unbounded\nconnect i0 ~0 left\nadd_isolated_vertex unbounded\nmove_inner i0 h0",
+            unmoved,
+            Difference::Isolated { vertex: 1 },
+        ),
+    ] {
+        let apart = Apart { answers: RawPointers::new(), view: RawPointers::new(), change };
+        let program = program(text);
+        let failure = conformance::run(&program, apart, &Expectation::plane()).unwrap_err();
+        assert_eq!((failure.before, failure.difference), (program.0.len() - 1, difference), "{text}");
+    }
 }
 
 #[test]

@@ -35,9 +35,9 @@
 //!
 //! A comparison begins with the subject in its current state. The empty map is enough if the subject has `add_isolated_vertex`.
 //! Otherwise [`PointerModel::from_view`](crate::program::PointerModel::from_view) copies the structure into the reference (its page
-//! covers meshes, borders and surfaces). Each half-edge needs a twin, also on the
-//! border; [`mesh::Named`](crate::program::mesh::Named) adds twins that a mesh does not store. A half-edge on the border needs no
-//! `next`: its view may answer nil.
+//! covers meshes, borders and surfaces). Each half-edge needs a twin, also on the border;
+//! [`mesh::Named`](crate::program::mesh::Named) adds twins that a mesh does not store. A half-edge on the border needs no `next`: its
+//! view may answer nil.
 //!
 //! A mesh whose handles are indices needs a [`View`](crate::validate::View), which [`view_answers!`](crate::view_answers) writes from
 //! one line per answer, and a [`Subject`], which [`subject_by_index!`](crate::subject_by_index) writes from the names of its operators.
