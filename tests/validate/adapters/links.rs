@@ -54,3 +54,22 @@ fn each_target_is_read_once() {
     let nothing = as_targets(&nothing).unwrap();
     assert_eq!((nothing.origin_from(0), nothing.origin_from(usize::MAX), nothing.origin(3)), (None, None, None));
 }
+
+/// Of two half-edges with the same `next`, the first is taken for the one before it.
+#[test]
+fn of_two_with_one_next_the_first_is_before() {
+    let [_, (table, _), _] = maps();
+    let bare = |h: &usize| table.is_half_edge(*h) && table.twin(*h).is_none();
+    let bare: Vec<usize> = (0..table.half_edges.len()).filter(bare).collect();
+    let mut tried = 0;
+    for (g, h) in bare.iter().flat_map(|g| bare.iter().map(move |h| (*g, *h))).filter(|(g, h)| g != h) {
+        let next = table.next(g).unwrap();
+        if bare.contains(&next) {
+            let mut changed = table.clone();
+            half_edge(&mut changed, h).next = Some(next);
+            assert_eq!(as_targets(&changed).unwrap().origin_from(next), Some(g.min(h)));
+            tried += 1;
+        }
+    }
+    assert!(tried > 0);
+}
