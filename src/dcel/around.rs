@@ -6,15 +6,10 @@ impl<'a> Vertex<'a> {
     /// Returns the half-edges that leave the vertex, counter-clockwise; `rev()` for clockwise. O(1) per step.
     ///
     /// ```
-    /// use twinedge::dcel::{Dcel, Split};
+    /// use twinedge::dcel::Dcel;
     ///
-    /// let mut map = Dcel::new();
-    /// let outside = map.unbounded_face().key();
-    /// // A triangle: a loop with two more vertices on it. Its face lies to the left of h.
-    /// let v = map.add_isolated_vertex(outside)?.vertex;
-    /// let h = map.connect(v, v, Split::default())?.half_edge;
-    /// map.split_edge(h)?;
-    /// map.split_edge(h)?;
+    /// let (map, keys) = Dcel::from_faces(3, [[0, 1, 2]])?;
+    /// let v = keys.vertex(0).unwrap();
     /// let v = map.vertex(v)?;
     /// assert_eq!(v.rotation().count(), 2);
     /// assert!(v.rotation().all(|leaving| leaving.origin() == v));
@@ -31,15 +26,10 @@ impl<'a> Vertex<'a> {
     /// yields the vertex itself, twice. O(1) per step.
     ///
     /// ```
-    /// use twinedge::dcel::{Dcel, Split};
+    /// use twinedge::dcel::Dcel;
     ///
-    /// let mut map = Dcel::new();
-    /// let outside = map.unbounded_face().key();
-    /// // A triangle: a loop with two more vertices on it. Its face lies to the left of h.
-    /// let v = map.add_isolated_vertex(outside)?.vertex;
-    /// let h = map.connect(v, v, Split::default())?.half_edge;
-    /// map.split_edge(h)?;
-    /// map.split_edge(h)?;
+    /// let (map, keys) = Dcel::from_faces(3, [[0, 1, 2]])?;
+    /// let v = keys.vertex(0).unwrap();
     /// let v = map.vertex(v)?;
     /// assert_eq!(v.neighbours().count(), 2);
     /// assert!(v.neighbours().all(|neighbour| neighbour != v));
@@ -54,13 +44,8 @@ impl<'a> Vertex<'a> {
     /// ```
     /// use twinedge::dcel::{Dcel, Split};
     ///
-    /// let mut map = Dcel::new();
-    /// let outside = map.unbounded_face().key();
-    /// // A triangle: a loop with two more vertices on it. Its face lies to the left of h.
-    /// let v = map.add_isolated_vertex(outside)?.vertex;
-    /// let h = map.connect(v, v, Split::default())?.half_edge;
-    /// map.split_edge(h)?;
-    /// map.split_edge(h)?;
+    /// let (mut map, keys) = Dcel::from_faces(3, [[0, 1, 2]])?;
+    /// let (v, h) = (keys.vertex(0).unwrap(), keys.half_edge(0).unwrap());
     /// assert_eq!(map.vertex(v)?.degree(), 2);
     /// // A loop counts twice.
     /// map.connect(h, h, Split::default())?;
@@ -77,15 +62,10 @@ impl<'a> HalfEdge<'a> {
     /// Returns the half-edges that leave the same vertex, counter-clockwise from this one. O(1) per step.
     ///
     /// ```
-    /// use twinedge::dcel::{Dcel, Split};
+    /// use twinedge::dcel::Dcel;
     ///
-    /// let mut map = Dcel::new();
-    /// let outside = map.unbounded_face().key();
-    /// // A triangle: a loop with two more vertices on it. Its face lies to the left of h.
-    /// let v = map.add_isolated_vertex(outside)?.vertex;
-    /// let h = map.connect(v, v, Split::default())?.half_edge;
-    /// map.split_edge(h)?;
-    /// map.split_edge(h)?;
+    /// let (map, keys) = Dcel::from_faces(3, [[0, 1, 2]])?;
+    /// let h = keys.half_edge(0).unwrap();
     /// let h = map.half_edge(h)?;
     /// assert_eq!(h.rotation().next(), Some(h));
     /// assert_eq!(h.rotation().nth(1), Some(h.counter_clockwise()));
@@ -100,15 +80,10 @@ impl<'a> HalfEdge<'a> {
     /// Returns the half-edges of the cycle from this one on; `rev()` goes the other way. O(1) per step.
     ///
     /// ```
-    /// use twinedge::dcel::{Dcel, Split};
+    /// use twinedge::dcel::Dcel;
     ///
-    /// let mut map = Dcel::new();
-    /// let outside = map.unbounded_face().key();
-    /// // A triangle: a loop with two more vertices on it. Its face lies to the left of h.
-    /// let v = map.add_isolated_vertex(outside)?.vertex;
-    /// let h = map.connect(v, v, Split::default())?.half_edge;
-    /// map.split_edge(h)?;
-    /// map.split_edge(h)?;
+    /// let (map, keys) = Dcel::from_faces(3, [[0, 1, 2]])?;
+    /// let h = keys.half_edge(0).unwrap();
     /// let h = map.half_edge(h)?;
     /// assert!(h.boundary_cycle().eq([h, h.next(), h.prev()]));
     /// assert!(h.boundary_cycle().rev().eq([h.prev(), h.next(), h]));
@@ -125,15 +100,10 @@ impl<'a> Boundary<'a> {
     /// Returns the half-edges of the cycle; none for an isolated vertex. O(1) per step.
     ///
     /// ```
-    /// use twinedge::dcel::{Dcel, Split};
+    /// use twinedge::dcel::Dcel;
     ///
-    /// let mut map = Dcel::new();
-    /// let outside = map.unbounded_face().key();
-    /// // A triangle: a loop with two more vertices on it. Its face lies to the left of h.
-    /// let v = map.add_isolated_vertex(outside)?.vertex;
-    /// let h = map.connect(v, v, Split::default())?.half_edge;
-    /// map.split_edge(h)?;
-    /// map.split_edge(h)?;
+    /// let (map, keys) = Dcel::from_faces(3, [[0, 1, 2]])?;
+    /// let h = keys.half_edge(0).unwrap();
     /// let boundary = map.half_edge(h)?.boundary();
     /// assert!(boundary.half_edges().all(|h| h.boundary() == boundary));
     /// assert_eq!(boundary.half_edges().count(), 3);
@@ -150,15 +120,10 @@ impl<'a> Face<'a> {
     /// Returns all boundary components of the face, the outer one first. O(1) per step.
     ///
     /// ```
-    /// use twinedge::dcel::{Dcel, Split};
+    /// use twinedge::dcel::Dcel;
     ///
-    /// let mut map = Dcel::new();
-    /// let outside = map.unbounded_face().key();
-    /// // A triangle: a loop with two more vertices on it. Its face lies to the left of h.
-    /// let v = map.add_isolated_vertex(outside)?.vertex;
-    /// let h = map.connect(v, v, Split::default())?.half_edge;
-    /// map.split_edge(h)?;
-    /// map.split_edge(h)?;
+    /// let (mut map, keys) = Dcel::from_faces(3, [[0, 1, 2]])?;
+    /// let h = keys.half_edge(0).unwrap();
     /// let triangle = map.half_edge(h)?.face().key();
     /// map.add_isolated_vertex(triangle)?;
     /// let places: Vec<_> = map.face(triangle)?.boundaries().map(|b| b.is_outer()).collect();
@@ -169,39 +134,40 @@ impl<'a> Face<'a> {
         self.outer().into_iter().chain(self.inner())
     }
 
-    /// Returns all half-edges with the face to their left. O(1) per step.
+    /// Returns all half-edges with the face to their left, those of the outer boundary component first. O(1) per step. For that component alone,
+    /// the [cycle](HalfEdge::boundary_cycle) of [`outer_half_edge`](Self::outer_half_edge) takes half the time.
     ///
     /// ```
-    /// use twinedge::dcel::{Dcel, Split};
+    /// use twinedge::dcel::Dcel;
     ///
-    /// let mut map = Dcel::new();
-    /// let outside = map.unbounded_face().key();
-    /// // A triangle: a loop with two more vertices on it. Its face lies to the left of h.
-    /// let v = map.add_isolated_vertex(outside)?.vertex;
-    /// let h = map.connect(v, v, Split::default())?.half_edge;
-    /// map.split_edge(h)?;
-    /// map.split_edge(h)?;
+    /// let (map, keys) = Dcel::from_faces(3, [[0, 1, 2]])?;
+    /// let h = keys.half_edge(0).unwrap();
     /// assert_eq!(map.half_edge(h)?.face().half_edges().count(), 3);
     /// assert_eq!(map.unbounded_face().half_edges().count(), 3);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn half_edges(self) -> impl Iterator<Item = HalfEdge<'a>> {
-        self.boundaries().flat_map(Boundary::half_edges)
+        let (mut cycle, mut position) = (Cycle::new(self.outer_half_edge()), 0);
+        core::iter::from_fn(move || {
+            loop {
+                if let Some(h) = cycle.next() {
+                    return Some(h);
+                }
+                // An isolated vertex has no half-edges.
+                cycle = Boundary::half_edges(self.inner_at(position)?);
+                position += 1;
+            }
+        })
     }
 
     /// Returns the faces on the other sides of the face's half-edges. A face is repeated for each shared edge, and the face
     /// itself is included where both sides of an edge lie in it. O(1) per step.
     ///
     /// ```
-    /// use twinedge::dcel::{Dcel, Split};
+    /// use twinedge::dcel::Dcel;
     ///
-    /// let mut map = Dcel::new();
-    /// let outside = map.unbounded_face().key();
-    /// // A triangle: a loop with two more vertices on it. Its face lies to the left of h.
-    /// let v = map.add_isolated_vertex(outside)?.vertex;
-    /// let h = map.connect(v, v, Split::default())?.half_edge;
-    /// map.split_edge(h)?;
-    /// map.split_edge(h)?;
+    /// let (map, keys) = Dcel::from_faces(3, [[0, 1, 2]])?;
+    /// let h = keys.half_edge(0).unwrap();
     /// let triangle = map.half_edge(h)?.face();
     /// assert!(triangle.neighbours().all(|f| f.is_unbounded()));
     /// assert_eq!(triangle.neighbours().count(), 3);

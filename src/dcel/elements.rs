@@ -69,15 +69,10 @@ element! {
     /// A vertex.
     ///
     /// ```
-    /// use twinedge::dcel::{Dcel, Split};
+    /// use twinedge::dcel::Dcel;
     ///
-    /// let mut map = Dcel::new();
-    /// let outside = map.unbounded_face().key();
-    /// // A triangle: a loop with two more vertices on it. Its face lies to the left of h.
-    /// let v = map.add_isolated_vertex(outside)?.vertex;
-    /// let h = map.connect(v, v, Split::default())?.half_edge;
-    /// map.split_edge(h)?;
-    /// map.split_edge(h)?;
+    /// let (map, keys) = Dcel::from_faces(3, [[0, 1, 2]])?;
+    /// let v = keys.vertex(0).unwrap();
     /// let v = map.vertex(v)?;
     /// let leaving = v.leaving().unwrap();
     /// assert_eq!(leaving.origin(), v);
@@ -99,15 +94,10 @@ element! {
     /// ```
     ///
     /// ```
-    /// use twinedge::dcel::{Dcel, Split};
+    /// use twinedge::dcel::Dcel;
     ///
-    /// let mut map = Dcel::new();
-    /// let outside = map.unbounded_face().key();
-    /// // A triangle: a loop with two more vertices on it. Its face lies to the left of h.
-    /// let v = map.add_isolated_vertex(outside)?.vertex;
-    /// let h = map.connect(v, v, Split::default())?.half_edge;
-    /// map.split_edge(h)?;
-    /// map.split_edge(h)?;
+    /// let (map, keys) = Dcel::from_faces(3, [[0, 1, 2]])?;
+    /// let h = keys.half_edge(0).unwrap();
     /// let h = map.half_edge(h)?;
     /// assert_eq!(h.next().prev(), h);
     /// assert_eq!(h.twin().twin(), h);
@@ -122,15 +112,10 @@ element! {
     /// A boundary component: a cycle of half-edges, or one isolated vertex.
     ///
     /// ```
-    /// use twinedge::dcel::{Dcel, Split};
+    /// use twinedge::dcel::Dcel;
     ///
-    /// let mut map = Dcel::new();
-    /// let outside = map.unbounded_face().key();
-    /// // A triangle: a loop with two more vertices on it. Its face lies to the left of h.
-    /// let v = map.add_isolated_vertex(outside)?.vertex;
-    /// let h = map.connect(v, v, Split::default())?.half_edge;
-    /// map.split_edge(h)?;
-    /// map.split_edge(h)?;
+    /// let (map, keys) = Dcel::from_faces(3, [[0, 1, 2]])?;
+    /// let h = keys.half_edge(0).unwrap();
     /// let boundary = map.half_edge(h)?.boundary();
     /// assert!(boundary.is_outer());
     /// assert_eq!(boundary.start().unwrap().boundary(), boundary);
@@ -146,15 +131,10 @@ element! {
     /// A face.
     ///
     /// ```
-    /// use twinedge::dcel::{Dcel, Split};
+    /// use twinedge::dcel::Dcel;
     ///
-    /// let mut map = Dcel::new();
-    /// let outside = map.unbounded_face().key();
-    /// // A triangle: a loop with two more vertices on it. Its face lies to the left of h.
-    /// let v = map.add_isolated_vertex(outside)?.vertex;
-    /// let h = map.connect(v, v, Split::default())?.half_edge;
-    /// map.split_edge(h)?;
-    /// map.split_edge(h)?;
+    /// let (map, keys) = Dcel::from_faces(3, [[0, 1, 2]])?;
+    /// let h = keys.half_edge(0).unwrap();
     /// let triangle = map.half_edge(h)?.face();
     /// assert_eq!(triangle.outer(), Some(map.half_edge(h)?.boundary()));
     /// assert_eq!(triangle.outer_half_edge().unwrap().face(), triangle);
@@ -321,8 +301,12 @@ impl<'a> Face<'a> {
 
     /// Returns the inner boundary components: holes and isolated vertices. O(1) per step.
     pub fn inner(self) -> impl Iterator<Item = Boundary<'a>> {
-        (0..self.inner_count())
-            .filter_map(move |i| self.dcel.store.inner(self.slot, i).map(|b| Boundary::new(self.dcel, b)))
+        (0..self.inner_count()).filter_map(move |position| self.inner_at(position))
+    }
+
+    #[inline]
+    pub(super) fn inner_at(self, position: usize) -> Option<Boundary<'a>> {
+        self.dcel.store.inner(self.slot, position).map(|b| Boundary::new(self.dcel, b))
     }
 }
 
@@ -379,15 +363,10 @@ circulator! {
     /// The half-edges of one cycle, in order of `next`; `rev()` for `prev`.
     ///
     /// ```
-    /// use twinedge::dcel::{Dcel, Split};
+    /// use twinedge::dcel::Dcel;
     ///
-    /// let mut map = Dcel::new();
-    /// let outside = map.unbounded_face().key();
-    /// // A triangle: a loop with two more vertices on it. Its face lies to the left of h.
-    /// let v = map.add_isolated_vertex(outside)?.vertex;
-    /// let h = map.connect(v, v, Split::default())?.half_edge;
-    /// map.split_edge(h)?;
-    /// map.split_edge(h)?;
+    /// let (map, keys) = Dcel::from_faces(3, [[0, 1, 2]])?;
+    /// let (v, h) = (keys.vertex(0).unwrap(), keys.half_edge(0).unwrap());
     /// let cycle = map.half_edge(h)?.boundary_cycle();
     /// let vertices: Vec<_> = cycle.clone().map(|h| h.origin().key()).collect();
     /// assert_eq!((vertices.len(), vertices[0]), (3, v));
@@ -402,15 +381,10 @@ circulator! {
     /// The half-edges that leave one vertex, counter-clockwise; `rev()` for clockwise.
     ///
     /// ```
-    /// use twinedge::dcel::{Dcel, Split};
+    /// use twinedge::dcel::Dcel;
     ///
-    /// let mut map = Dcel::new();
-    /// let outside = map.unbounded_face().key();
-    /// // A triangle: a loop with two more vertices on it. Its face lies to the left of h.
-    /// let v = map.add_isolated_vertex(outside)?.vertex;
-    /// let h = map.connect(v, v, Split::default())?.half_edge;
-    /// map.split_edge(h)?;
-    /// map.split_edge(h)?;
+    /// let (map, keys) = Dcel::from_faces(3, [[0, 1, 2]])?;
+    /// let h = keys.half_edge(0).unwrap();
     /// let h = map.half_edge(h)?;
     /// let mut rotation = h.rotation();
     /// assert_eq!(rotation.next(), Some(h));

@@ -41,13 +41,8 @@ impl Dcel {
     /// ```
     /// use twinedge::dcel::{Dcel, Split, Turn};
     ///
-    /// let mut map = Dcel::new();
-    /// let outside = map.unbounded_face().key();
-    /// // A triangle: a loop with two more vertices on it. Its face lies to the left of h.
-    /// let v = map.add_isolated_vertex(outside)?.vertex;
-    /// let h = map.connect(v, v, Split::default())?.half_edge;
-    /// map.split_edge(h)?;
-    /// map.split_edge(h)?;
+    /// let (mut map, keys) = Dcel::from_faces(3, [[0, 1, 2]])?;
+    /// let (v, h) = (keys.vertex(0).unwrap(), keys.half_edge(0).unwrap());
     /// // A fourth vertex, and a diagonal.
     /// map.split_edge(h)?;
     /// let third = map.half_edge(h)?.next().next().key();

@@ -99,15 +99,11 @@ impl Dcel {
     /// A stale key; [`OperatorError::IsOuter`]; [`OperatorError::InsideItself`] if `face` lies inside the moved part.
     ///
     /// ```
-    /// use twinedge::dcel::{Dcel, OperatorError, Split};
+    /// use twinedge::dcel::{Dcel, OperatorError};
     ///
-    /// let mut map = Dcel::new();
+    /// let (mut map, keys) = Dcel::from_faces(3, [[0, 1, 2]])?;
+    /// let h = keys.half_edge(0).unwrap();
     /// let outside = map.unbounded_face().key();
-    /// // A triangle: a loop with two more vertices on it. Its face lies to the left of h.
-    /// let v = map.add_isolated_vertex(outside)?.vertex;
-    /// let h = map.connect(v, v, Split::default())?.half_edge;
-    /// map.split_edge(h)?;
-    /// map.split_edge(h)?;
     /// let island = map.add_isolated_vertex(outside)?.boundary;
     /// let triangle = map.half_edge(h)?.face().key();
     /// assert_eq!(map.move_inner(island, triangle)?, outside);

@@ -61,15 +61,11 @@ impl Dcel {
     /// A stale key; [`OperatorError::Full`] if parting has no room for a boundary component.
     ///
     /// ```
-    /// use twinedge::dcel::{Dcel, RemovedEdge, Split};
+    /// use twinedge::dcel::{Dcel, RemovedEdge};
     ///
-    /// let mut map = Dcel::new();
+    /// let (mut map, keys) = Dcel::from_faces(3, [[0, 1, 2]])?;
+    /// let h = keys.half_edge(0).unwrap();
     /// let outside = map.unbounded_face().key();
-    /// // A triangle: a loop with two more vertices on it. Its face lies to the left of h.
-    /// let v = map.add_isolated_vertex(outside)?.vertex;
-    /// let h = map.connect(v, v, Split::default())?.half_edge;
-    /// map.split_edge(h)?;
-    /// map.split_edge(h)?;
     /// // The edge separates the triangle from the unbounded face: both become one.
     /// assert!(matches!(map.remove_edge(h)?, RemovedEdge::Merged { kept_face, .. } if kept_face == outside));
     /// // What is left is a path. Without one of its edges it falls in two.

@@ -33,15 +33,10 @@ impl Dcel {
     /// A stale key; [`OperatorError::Full`].
     ///
     /// ```
-    /// use twinedge::dcel::{Dcel, Split};
+    /// use twinedge::dcel::Dcel;
     ///
-    /// let mut map = Dcel::new();
-    /// let outside = map.unbounded_face().key();
-    /// // A triangle: a loop with two more vertices on it. Its face lies to the left of h.
-    /// let v = map.add_isolated_vertex(outside)?.vertex;
-    /// let h = map.connect(v, v, Split::default())?.half_edge;
-    /// map.split_edge(h)?;
-    /// map.split_edge(h)?;
+    /// let (mut map, keys) = Dcel::from_faces(3, [[0, 1, 2]])?;
+    /// let h = keys.half_edge(0).unwrap();
     /// let split = map.split_edge(h)?;
     /// assert_eq!(map.half_edge(h)?.target().key(), split.vertex);
     /// assert_eq!(map.half_edge(h)?.next().key(), split.half_edge);
@@ -86,15 +81,10 @@ impl Dcel {
     /// [`OperatorError::Loop`] if both half-edges leaving it belong to one edge.
     ///
     /// ```
-    /// use twinedge::dcel::{Dcel, Split};
+    /// use twinedge::dcel::Dcel;
     ///
-    /// let mut map = Dcel::new();
-    /// let outside = map.unbounded_face().key();
-    /// // A triangle: a loop with two more vertices on it. Its face lies to the left of h.
-    /// let v = map.add_isolated_vertex(outside)?.vertex;
-    /// let h = map.connect(v, v, Split::default())?.half_edge;
-    /// map.split_edge(h)?;
-    /// map.split_edge(h)?;
+    /// let (mut map, keys) = Dcel::from_faces(3, [[0, 1, 2]])?;
+    /// let h = keys.half_edge(0).unwrap();
     /// let split = map.split_edge(h)?;
     /// let joined = map.join_edges(h)?;
     /// assert_eq!((joined.vertex, joined.half_edge), (split.vertex, split.half_edge));

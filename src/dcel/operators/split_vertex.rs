@@ -42,15 +42,10 @@ impl Dcel {
     /// A stale key; [`OperatorError::NotIsolated`]; [`OperatorError::VerticesDiffer`]; [`OperatorError::Full`].
     ///
     /// ```
-    /// use twinedge::dcel::{Dcel, Split};
+    /// use twinedge::dcel::Dcel;
     ///
-    /// let mut map = Dcel::new();
-    /// let outside = map.unbounded_face().key();
-    /// // A triangle: a loop with two more vertices on it. Its face lies to the left of h.
-    /// let v = map.add_isolated_vertex(outside)?.vertex;
-    /// let h = map.connect(v, v, Split::default())?.half_edge;
-    /// map.split_edge(h)?;
-    /// map.split_edge(h)?;
+    /// let (mut map, keys) = Dcel::from_faces(3, [[0, 1, 2]])?;
+    /// let h = keys.half_edge(0).unwrap();
     /// // Between a corner and itself: a leaf grows into the face.
     /// let leaf = map.split_vertex(h, h)?;
     /// assert_eq!(map.half_edge(leaf.half_edge)?.target().key(), leaf.vertex);
@@ -148,15 +143,10 @@ impl Dcel {
     /// A stale key; [`OperatorError::Loop`] if the edge starts and ends at the same vertex.
     ///
     /// ```
-    /// use twinedge::dcel::{Dcel, Split};
+    /// use twinedge::dcel::Dcel;
     ///
-    /// let mut map = Dcel::new();
-    /// let outside = map.unbounded_face().key();
-    /// // A triangle: a loop with two more vertices on it. Its face lies to the left of h.
-    /// let v = map.add_isolated_vertex(outside)?.vertex;
-    /// let h = map.connect(v, v, Split::default())?.half_edge;
-    /// map.split_edge(h)?;
-    /// map.split_edge(h)?;
+    /// let (mut map, keys) = Dcel::from_faces(3, [[0, 1, 2]])?;
+    /// let h = keys.half_edge(0).unwrap();
     /// let contracted = map.contract_edge(h)?;
     /// assert!(map.half_edge(h).is_err());
     /// assert!(map.vertex(contracted.dropped).is_err());
