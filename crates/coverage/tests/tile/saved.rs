@@ -32,7 +32,7 @@ fn text(of: &impl serde::Serialize) -> String {
 #[test]
 fn cuts_that_are_saved_between_rounds_are_those_that_are_not() {
     let (mut random, mut most) = (Random::new(61), 0);
-    for _ in 0..40 {
+    for _ in 0..20 {
         let (features, grid) = far(&mut random, 12);
         let given = numbered(&features);
         let shuffled: Vec<_> = given.iter().rev().chain(&given[..2]).copied().collect();
@@ -156,7 +156,7 @@ fn numbers(of: &Value, at: &str, all: &mut BTreeMap<String, f64>) {
 fn rounds_with_changed_cuts_end() {
     let mut random = Random::new(62);
     let (mut refused, mut ended) = (0, 0);
-    for _ in 0..6 {
+    for _ in 0..3 {
         let (features, grid) = far(&mut random, 6);
         let given = numbered(&features);
         let mut cuts = Cuts::new(largest(&features)).expect("finite");
