@@ -261,7 +261,9 @@ fn an_early_merge_finds_no_more_at_a_seam_than_a_late_one_where_another_tile_has
     features.push(feature([line(&[[6.5, 6.6], [7.5, 6.9]]), line(&[[6.5, 6.9], [7.5, 6.6]])]));
     let all = summaries(&features, &lines(), &Limits::default());
     let mut contradictions = 0;
-    for (what, changed) in changes(&to_value(&all[0]).expect("it can be saved")) {
+    let mut changes = changes(&to_value(&all[0]).expect("it can be saved"));
+    changes.retain(|(what, _)| what.contains("feature") || what.contains("/faces/"));
+    for (what, changed) in changes {
         let Ok(changed) = serde_json::from_value::<Summary>(changed) else { continue };
         let mut early = all.clone();
         early[0] = changed;

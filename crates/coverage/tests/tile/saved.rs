@@ -32,7 +32,7 @@ fn text(of: &impl serde::Serialize) -> String {
 #[test]
 fn cuts_that_are_saved_between_rounds_are_those_that_are_not() {
     let (mut random, mut most) = (Random::new(61), 0);
-    for _ in 0..20 {
+    for _ in 0..40 {
         let (features, grid) = far(&mut random, 12);
         let given = numbered(&features);
         let shuffled: Vec<_> = given.iter().rev().chain(&given[..2]).copied().collect();

@@ -110,8 +110,10 @@ fn a_file_with_any_byte_changed_ends_in_an_error_or_a_layer() {
     let of = |layer: &Layer, name: &str, format| write_files(layer, Path::new(name), format).unwrap();
     let shapefile = of(&parcels, "map.shp", Format::Shapefile);
     let nested = of(&from_text(nested), "nested.fgb", Format::FlatGeobuf);
-    let geopackage = of(&parcels, "map.gpkg", Format::GeoPackage);
     let given = |name: &str, bytes: &[u8]| -> Files { [(name.into(), bytes.to_vec())].into_iter().collect() };
+    let path = folder.path().join("map.gpkg");
+    write_path(&parcels, &path, Format::GeoPackage).unwrap();
+    let geopackage = given("map.gpkg", &fs::read(&path).unwrap());
     let (flatgeobuf, geoparquet) = (given("map.fgb", FLATGEOBUF), given("map.parquet", GEOPARQUET));
     // The files, the changed one, the number of places, and the least share of errors.
     for (files, part, places, share) in [
