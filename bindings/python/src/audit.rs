@@ -1,77 +1,22 @@
 //! Audits of maps and meshes, by the crate that the program uses.
 
-use crate::expectation::Claims;
-use crate::source::{Failure, Source, snap};
+use crate::source::{Failure, Source};
 use crate::work::within;
-use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
+use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use std::time::Instant;
-use twinedge_coverage::Limits;
-use twinedge_meshes::{HalfEdgeMesh, IndexedMesh};
-use twinedge_report::{
-    Accepted, Audited, Compared, CoverageOptions, Edges, InputKind, MapOptions, Options, audit as judge, audit_mesh,
-};
+use twinedge_meshes::IndexedMesh;
+use twinedge_report::{Accepted, Audited, Compared, InputKind, Options, audit as judge, audit_mesh};
 
-/// The limits of a coverage.
-#[derive(FromPyObject)]
-#[pyo3(from_item_all)]
-pub(crate) struct LimitsAsked {
-    gap_width: Option<f64>,
-    lake_width: Option<f64>,
-    accepted_gaps: Vec<[f64; 2]>,
-    sliver_area: Option<f64>,
-}
-
-impl LimitsAsked {
-    pub(crate) fn limits(&self) -> Limits {
-        Limits {
-            gap_width: self.gap_width,
-            lake_width: self.lake_width,
-            accepted_gaps: self.accepted_gaps.iter().copied().map(Into::into).collect(),
-            sliver_area: self.sliver_area,
-            ..Limits::default()
-        }
-    }
-}
-
-/// The options of the audit of a map.
-#[derive(FromPyObject)]
-#[pyo3(from_item_all)]
-pub(crate) struct MapAsked {
-    coverage: bool,
-    limits: LimitsAsked,
-    snap: Option<f64>,
-    name: Option<String>,
-    /// The shape of edges, by its word.
-    edges: Option<String>,
-    /// A list of accepted findings.
-    accept: Option<String>,
-    list: usize,
-}
-
-impl MapAsked {
-    pub(crate) fn options(&self) -> Result<Options, Failure> {
-        let accepted = self.accept.as_deref().map(Accepted::read).transpose();
-        Ok(Options {
-            // A finding that is not listed could not be accepted.
-            list: Some(if self.accept.is_some() { usize::MAX } else { self.list }),
-            map: MapOptions { snap: snap(self.snap), name_from: self.name.clone(), allow_empty: false },
-            coverage: CoverageOptions { is_rule: self.coverage, limits: self.limits.limits() },
-            edges: self.edges.as_deref().map(edges).transpose()?,
-            accepted: accepted.map_err(|error| Failure::Value(format!("accept: {error}")))?,
-            ..Options::default()
-        })
-    }
-}
-
-/// The shape of edges by its word.
-fn edges(word: &str) -> Result<Edges, Failure> {
-    match word {
-        "straight" => Ok(Edges::Straight),
-        "geodesic" => Ok(Edges::Geodesic),
-        _ => Err(Failure::Value(format!("edges: {word:?} is neither \"straight\" nor \"geodesic\""))),
-    }
+/// Reads options from JSON, and a list of accepted findings. With such a list all findings are listed, since a finding that is not listed could not
+/// be accepted.
+pub(crate) fn options(asked: &str, accept: Option<&str>) -> Result<Options, Failure> {
+    let accepted = accept.map(Accepted::read).transpose();
+    let accepted = accepted.map_err(|error| Failure::Value(format!("accept: {error}")))?;
+    let options = Options::from_json(serde_json::from_str(asked).map_err(Failure::value)?).map_err(Failure::value)?;
+    let list = if accepted.is_some() { Some(usize::MAX) } else { options.list };
+    Ok(Options { list, accepted, ..options })
 }
 
 /// A report as JSON; its findings as a layer of GeoJSON with the warnings of the layer, if they have places; and its
@@ -89,16 +34,14 @@ pub(crate) fn told(audited: &Audited, accepted: Option<&Accepted>) -> Result<Tol
 /// Judges a map or a mesh. Returns the report, and for a mesh the positions at which the corners of each face begin. If
 /// time runs out, the report says so.
 #[pyfunction]
-pub(crate) fn audit(
-    py: Python<'_>,
+pub(crate) fn audit<'py>(
+    py: Python<'py>,
     source: Source,
-    map: MapAsked,
-    mesh: Claims,
+    asked: &str,
+    accept: Option<&str>,
     timeout: Option<f64>,
-) -> PyResult<(Told, Option<Bound<'_, PyArray1<u32>>>)> {
-    let mut options = map.options()?;
-    options.mesh = mesh.asking(HalfEdgeMesh::expectation())?;
-    options.map.allow_empty = source.is_in_memory();
+) -> PyResult<(Told, Option<Bound<'py, PyArray1<u32>>>)> {
+    let options = options(asked, accept)?;
     let (name, asked) = (source.name().to_owned(), options.clone());
     let start = Instant::now();
     let work = move || {
@@ -141,22 +84,21 @@ fn open_and_judge(source: Source, options: &Options) -> Result<Audited, Failure>
     Ok(audited)
 }
 
-/// Joins faces at their edges and judges the result. Corners are vertices, face by face; `offsets` has the start of
-/// each face. The arrays are copied before the lock is released.
+/// Joins faces at their edges and judges the result. Points have three coordinates each; corners are vertices, face by face; `offsets` has the start
+/// of each face. The arrays are copied before the lock is released.
 #[pyfunction]
 pub(crate) fn audit_faces(
     py: Python<'_>,
-    vertices: usize,
+    points: PyReadonlyArray2<'_, f64>,
     corners: PyReadonlyArray1<'_, u32>,
     offsets: PyReadonlyArray1<'_, u32>,
-    asked: Claims,
+    asked: &str,
 ) -> PyResult<Told> {
     let (corners, offsets) = (corners.as_array().to_vec(), offsets.as_array().to_vec());
-    let mesh = asked.asking(HalfEdgeMesh::expectation())?;
-    let options = Options { list: Some(asked.list()), mesh, ..Options::default() };
+    let points = points.as_array().rows().into_iter().map(|point| [point[0], point[1], point[2]]).collect();
+    let options = options(asked, None)?;
     let work = move || {
-        // Only the number of the points counts here.
-        let mesh = IndexedMesh::new(vec![[0.0; 3]; vertices], corners, offsets).map_err(Failure::value)?;
+        let mesh = IndexedMesh::new(points, corners, offsets).map_err(Failure::value)?;
         told(&audit_mesh("faces", mesh, &options)?, None)
     };
     let outcome = within(py, None, work)?.ok_or_else(|| PyRuntimeError::new_err("time was up"))?;

@@ -1,7 +1,7 @@
 //! Cleaning a layer of polygons.
 
-use crate::audit::LimitsAsked;
-use crate::source::{Failure, Source, snap};
+use crate::audit::options;
+use crate::source::{Failure, Source};
 use crate::work::within;
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
@@ -13,14 +13,13 @@ use twinedge_report::clean::{Cleaning, Repair};
 /// The features with a changed geometry, by number, with the new geometry as hexadecimal digits of well-known binary.
 type Changed = Vec<(usize, Option<String>)>;
 
-/// Repairs the polygons of a layer. Returns the report and the changes. A `cell` of 0 chooses the grid. Gaps go to one
+/// Repairs the polygons of a layer. Returns the report and the changes. Gaps go to one
 /// of the features of `gaps_to`, or to a new one behind the others if that is empty.
 #[pyfunction]
 pub(crate) fn clean(
     py: Python<'_>,
     source: Source,
-    limits: LimitsAsked,
-    cell: Option<f64>,
+    asked: &str,
     overlap: &str,
     chooses_width: bool,
     gaps_to: Option<Vec<usize>>,
@@ -28,10 +27,11 @@ pub(crate) fn clean(
     let unknown = || Failure::Value(format!("overlap: {overlap:?} is none of inner, larger, smaller, first, last"));
     let winner = Winner::of_name(overlap).ok_or_else(unknown)?;
     let gaps_to = gaps_to.map(|all| if all.is_empty() { GapsTo::New(Vec::new()) } else { GapsTo::Features(all) });
+    let asked = options(asked, None)?;
+    let (limits, snap) = (asked.coverage.limits.limits(), asked.map.snap);
     let work = move || {
         let name = source.name().to_owned();
         let mut layer = source.read()?;
-        let limits = limits.limits();
         let assign = Options {
             winner,
             gap_width: limits.gap_width,
@@ -40,7 +40,7 @@ pub(crate) fn clean(
             sliver_area: limits.sliver_area,
             ..Options::default()
         };
-        let options = CleanOptions { snap: snap(cell), assign, chooses_width, gaps_to };
+        let options = CleanOptions { snap, assign, chooses_width, gaps_to };
         let repair = Repair { options, ..Repair::default() };
         let report = repair.clean(&mut layer).map_err(|error| Failure::Value(format!("{name}: {error}")))?;
         let document = Cleaning::new(&name, &repair, &layer, &report).json().to_string();

@@ -19,6 +19,7 @@ mod tiles;
 mod work;
 
 use pyo3::prelude::*;
+use twinedge_coverage::layers::{Deviation, LayerRule};
 
 /// The native part of `twinedge`.
 #[pymodule]
@@ -30,7 +31,9 @@ fn _twinedge(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("KINDS", twinedge::validate::Violation::KINDS.to_vec())?;
     let of_meshes = twinedge_meshes::Kind::ALL.iter().map(|kind| kind.name());
     let of_coverages = twinedge_coverage::CoverageRule::ALL.iter().map(|rule| rule.name());
-    module.add("FINDING_KINDS", of_meshes.chain(of_coverages).collect::<Vec<_>>())?;
+    // Layers are compared only with their own parents.
+    let of_parents = Deviation::ALL.into_iter().filter(|kind| kind.rule() == LayerRule::Parent).map(Deviation::name);
+    module.add("FINDING_KINDS", of_meshes.chain(of_coverages).chain(of_parents).collect::<Vec<_>>())?;
     module.add_function(wrap_pyfunction!(structure::validate, module)?)?;
     module.add_function(wrap_pyfunction!(structure::explain, module)?)?;
     module.add_class::<maps::Map>()?;

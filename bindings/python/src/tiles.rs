@@ -1,6 +1,6 @@
 //! Tiles of maps: geometries as columns of Arrow, summaries and cuts as bytes.
 
-use crate::audit::{LimitsAsked, MapAsked, Told, told};
+use crate::audit::{Told, options, told};
 use crate::geometries::{Column, features, given};
 use crate::source::Failure;
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
@@ -170,14 +170,15 @@ pub(crate) fn summarise<'py>(
     at: u64,
     numbers: PyReadonlyArray1<'py, u32>,
     geometries: Vec<Column<'_>>,
-    limits: LimitsAsked,
+    asked: &str,
     cut: Option<PyBackedBytes>,
 ) -> PyResult<(Bound<'py, PyBytes>, Option<Bound<'py, PyBytes>>)> {
     let numbers = numbers.as_array().to_vec();
     let columns = given(geometries)?;
     let bytes = py.detach(|| {
         let grid = grid(of)?;
-        let (features, tile, limits) = (features(columns)?, tile(&grid, at)?, limits.limits());
+        let limits = options(asked, None)?.coverage.limits.limits();
+        let (features, tile) = (features(columns)?, tile(&grid, at)?);
         let given = || numbers.iter().copied().zip(&features);
         let bytes = |summary: Result<Summary, TileError>| {
             serde_json::to_vec(&summary.map_err(refused)?).map_err(Failure::value)
@@ -242,13 +243,13 @@ pub(crate) fn finish(
     py: Python<'_>,
     summaries: Vec<PyBackedBytes>,
     cuts: Vec<PyBackedBytes>,
-    asked: MapAsked,
+    asked: &str,
+    accept: Option<&str>,
 ) -> PyResult<Told> {
     let found = py.detach(|| {
         let (whole, cut) = sums(&summaries, &cuts)?;
         let whole = whole.ok_or_else(|| Failure::Value("there is no summary".to_owned()))?;
-        let mut options = asked.options()?;
-        options.map.allow_empty = true;
+        let options = options(asked, accept)?;
         told(&audit_summary(whole, cut, None, &options)?, options.accepted.as_ref())
     });
     Ok(found?)

@@ -161,7 +161,49 @@ def test_edges_are_great_circles_where_asked():
     assert [(one.rule, one.kind, one.records) for one in report.violations] == [("G4", "cross", ())] * 2
     assert report.violations[0].names[0].startswith("edge (") and "same vertices" in report.violations[0].remedy
     assert report.broken_rules == ["G4"] and report.verdict == "invalid"
-    with pytest.raises(ValueError, match='edges: "round" is neither'):
+    with pytest.raises(ValueError, match='edges: .*expected `straight` or `geodesic`'):
         twinedge.audit(layer, edges="round")
     with pytest.raises(ValueError, match="--edges geodesic and --snap do not go together"):
         twinedge.audit(layer, edges="geodesic", snap="auto")
+
+
+TETRAHEDRON = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], float)
+INWARDS = [[0, 1, 2], [0, 3, 1], [1, 3, 2], [2, 3, 0]]
+
+
+def _broken(report):
+    return [rule.id for rule in report.rules if rule.violations]
+
+
+def test_where_the_points_of_a_mesh_lie_is_judged_where_asked(tmp_path):
+    asked = {"no_zero_area": True, "no_crossings": True, "outward": True}
+    mesh = trimesh.Trimesh(TETRAHEDRON, INWARDS, process=False)
+    path = tmp_path / "inwards.obj"
+    path.write_text(mesh.export(file_type="obj"))
+    assert twinedge.audit_faces(INWARDS, TETRAHEDRON, closed=True).valid
+    for report in (twinedge.audit_faces(INWARDS, TETRAHEDRON, **asked), twinedge.audit(mesh, **asked), twinedge.audit(path, **asked)):
+        assert _broken(report) == ["M11"]
+
+
+def test_parts_are_judged_by_their_parents_where_asked():
+    boxes = [shapely.box(0, 0, 4, 2), shapely.box(0, 0, 2, 2), shapely.box(2, 0, 3, 2)]
+    frame = geopandas.GeoDataFrame({"parent": [None, "whole", "whole"]}, geometry=boxes, index=["whole", "left", "right"])
+    kinds = [finding.kind for finding in twinedge.audit(frame, parent_column="parent").findings if finding.rule == "X4"]
+    assert kinds == ["parent_not_covered"]
+    with pytest.raises(ValueError, match="parent_column: there is no column 'state'"):
+        twinedge.audit(frame, parent_column="state")
+    with pytest.raises(TypeError, match="parent_column: this is for frames"):
+        twinedge.audit(boxes, parent_column="parent")
+
+
+def test_measures_are_in_metres_where_asked():
+    overlapping = [shapely.box(0, 0, 2, 2), shapely.box(1, 0, 3, 2)]
+    plane, geodesic = twinedge.audit(overlapping), twinedge.audit(overlapping, geodesic=True)
+    assert plane.findings[0].area == 2
+    # A degree is some 111 km.
+    assert geodesic.findings[0].area == pytest.approx(2 * 111e3**2, rel=0.01)
+
+
+def test_causes_are_explained_where_asked():
+    (finding,) = twinedge.audit([shapely.box(0, 0, 2, 2), shapely.box(1, 1, 3, 3)], explain=True).findings
+    assert finding.fields["cause"] and finding.fields["remedy"]

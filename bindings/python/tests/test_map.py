@@ -198,7 +198,8 @@ class PolyData:
     """As pyvista has it."""
 
     def __init__(self, points, faces):
-        self.n_points, self.irregular_faces, self.faces = len(points), tuple(map(np.array, faces)), np.empty(0)
+        self.n_points, self.points = len(points), points
+        self.irregular_faces, self.faces = tuple(map(np.array, faces)), np.empty(0)
 
 
 TETRAHEDRON = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]

@@ -119,7 +119,7 @@ def test_every_kind_of_finding_is_documented():
 
     for name in _twinedge.FINDING_KINDS:
         assert f"| `{name}` |" in page.split("## Findings")[1], name
-    assert len({*twinedge.FINDING_KINDS}) == 18
+    assert len({*twinedge.FINDING_KINDS}) == 21
 
 
 def test_the_vertex_that_a_neighbour_lacks_is_named():

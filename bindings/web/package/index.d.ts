@@ -74,6 +74,10 @@ export interface AuditOptions extends MapOptions, GapOptions {
   list?: number;
   /** Say the usual cause of each finding, and its remedy. */
   explain?: boolean;
+  /** The shape of edges between longitudes and latitudes: straight on the map, the default, or arcs of great circles. */
+  edges?: "straight" | "geodesic";
+  /** Parts make up their parents exactly (X4): the column that names the parent of each part, `COLUMN` or `COLUMN=KEY`. */
+  parentColumn?: string;
   /** Judge the arcs of TopoJSON as they are shared. */
   arcs?: boolean;
   /** The input is a topology of PostGIS, as `psql` writes it. */
@@ -85,7 +89,15 @@ export interface AuditOptions extends MapOptions, GapOptions {
   components?: number;
   triangles?: boolean;
   sides?: number;
+  /** No edge is a loop, and no two edges have the same ends. */
+  simple?: boolean;
   noUnusedVertices?: boolean;
+  /** No face has all its corners on one line (M9). */
+  noZeroArea?: boolean;
+  /** Faces meet in common corners and edges only (M10). */
+  noCrossings?: boolean;
+  /** The faces of closed components face outwards, or inwards around a cavity (M11). */
+  outward?: boolean;
 }
 
 /** Options of `acceptAll`. */

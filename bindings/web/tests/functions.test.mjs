@@ -132,6 +132,28 @@ describe("audit", () => {
     assert.equal((await twinedge.audit(closed, { genus: 1 })).valid, false);
   });
 
+  it("judges where the points of a mesh lie, if asked", async () => {
+    const inwards = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 4 2\nf 2 4 3\nf 3 4 1\n";
+    assert.equal((await twinedge.audit(inwards, { closed: true })).valid, true);
+    const report = await twinedge.audit(inwards, { noZeroArea: true, noCrossings: true, outward: true });
+    const broken = report.rules.filter((rule) => rule.violations).map((rule) => rule.id);
+    assert.deepEqual(broken, ["M11"]);
+  });
+
+  it("judges edges along great circles, if asked", async () => {
+    const box = (id, south, north) => ({ type: "Feature", id, properties: null, geometry: { type: "Polygon", coordinates: [[[0, south], [60, south], [60, north], [0, north], [0, south]]] } });
+    // A great circle between two points of the northern hemisphere runs north of their parallel.
+    const boxes = [box("south", 10, 40), { ...box("north", 40, 60), geometry: { type: "Polygon", coordinates: [[[0, 40], [30, 40], [60, 40], [60, 60], [0, 60], [0, 40]]] } }];
+    assert.equal((await twinedge.audit(boxes)).coverage.overlaps, 0);
+    assert.equal((await twinedge.audit(boxes, { edges: "geodesic" })).coverage.overlaps, 1);
+  });
+
+  it("judges parts by their parents, if asked", async () => {
+    const box = (id, parent, x0, x1) => ({ type: "Feature", id, properties: { parent }, geometry: { type: "Polygon", coordinates: [[[x0, 0], [x1, 0], [x1, 2], [x0, 2], [x0, 0]]] } });
+    const report = await twinedge.audit([box("whole", null, 0, 4), box("left", "whole", 0, 2), box("right", "whole", 2, 3)], { parentColumn: "parent" });
+    assert.deepEqual(report.findings.filter((finding) => finding.rule === "X4").map((finding) => finding.kind), ["parent_not_covered"]);
+  });
+
   it("makes a page and a layer of what it found", async () => {
     const page = await twinedge.auditPage(overlapping);
     assert.match(page, /^<!doctype html>/);
@@ -283,6 +305,8 @@ describe("errors", () => {
 
   it("are of options where an option is wrong", async () => {
     await assert.rejects(twinedge.audit(overlapping, { gapWith: 1 }), { name: "OptionError", message: /gapWith/ });
+    await assert.rejects(twinedge.audit(overlapping, { edges: "round" }), { name: "OptionError", message: /^edges: .*straight/ });
+    await assert.rejects(twinedge.clean(overlapping, { genus: 1 }), { name: "OptionError", message: /^genus: / });
     await assert.rejects(twinedge.audit(overlapping, { gapWidth: -1 }), { name: "OptionError", message: /gapWidth/ });
     await assert.rejects(twinedge.audit(overlapping, { geodesic: true, nameFrom: "owner" }), { name: "OptionError", message: /owner/ });
     await assert.rejects(twinedge.audit(7), twinedge.OptionError);

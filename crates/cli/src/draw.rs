@@ -61,7 +61,7 @@ pub(crate) struct Draw {
     size: u32,
 
     /// Greatest number of violations to mark.
-    #[arg(long, value_name = "N", default_value_t = Collect::DEFAULT_CAP, value_parser = crate::input::whole, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", default_value_t = Collect::DEFAULT_CAP, value_parser = twinedge_report::whole, allow_negative_numbers = true)]
     list: usize,
 }
 

@@ -6,7 +6,6 @@ use indicatif::{ProgressBar, ProgressStyle};
 use std::fs::File;
 use std::io::{self, BufReader, Read as _};
 use std::path::{Path, PathBuf};
-use twinedge_geometry::noding::Snap;
 use twinedge_layers::io::ForeignFormat;
 use twinedge_layers::{Format, Layer, ReadError, read_layer, unpack};
 use twinedge_report::{Imported, Input, Judged, Keep, MapOptions};
@@ -74,16 +73,7 @@ pub(crate) struct MapFile {
     layer: Option<String>,
 
     #[command(flatten)]
-    cutting: Cutting,
-
-    /// Take the names of features from this column (property). Default: name, NAME, Name, ADMIN, admin, title or id, the first
-    /// that there is.
-    #[arg(long, value_name = "COLUMN", global = true)]
-    name_from: Option<String>,
-
-    /// Accept a file without lines and polygons, such as an empty layer or one of points.
-    #[arg(long)]
-    allow_empty: bool,
+    pub(crate) options: MapOptions,
 }
 
 pub(crate) struct WithText {
@@ -158,15 +148,6 @@ fn read_input(mut input: Input) -> Result<(String, Layer), Failure> {
     Ok((input.name, layer))
 }
 
-/// The treatment of segments that cross, touch or overlap.
-#[derive(Debug, clap::Args)]
-pub(crate) struct Cutting {
-    /// Cut segments wherever they cross, touch or overlap, and round all points to a grid. `auto` chooses the finest grid that
-    /// the coordinates allow. SIZE is the width of its cells: with 0.001, coordinates have three decimal places, and such coordinates stay.
-    #[arg(long, value_name = "auto|SIZE", value_parser = snap, allow_negative_numbers = true)]
-    snap: Option<Snap>,
-}
-
 impl MapFile {
     pub(crate) fn path(&self) -> Option<&Path> {
         self.file.as_deref().filter(|path| *path != Path::new("-"))
@@ -214,25 +195,11 @@ impl MapFile {
         self.build_from(input, keep)
     }
 
-    /// Returns true if segments are cut.
-    pub(crate) const fn is_snapped(&self) -> bool {
-        self.cutting.snap.is_some()
-    }
-
-    pub(crate) fn options(&self) -> MapOptions {
-        MapOptions { snap: self.cutting.snap, name_from: self.name_from.clone(), allow_empty: self.allow_empty }
-    }
-
     /// Builds the map of an open input.
     pub(crate) fn build_from(&self, input: Input, keep: Keep<'_>) -> Result<Imported, Failure> {
         let name = input.name.clone();
-        busy(|stage| Imported::read(input, &self.options(), keep, stage)).map_err(named(&name))
+        busy(|stage| Imported::read(input, &self.options, keep, stage)).map_err(named(&name))
     }
-}
-
-/// Parses the argument of `--list` and similar options.
-pub(crate) fn whole(text: &str) -> Result<usize, String> {
-    text.parse().map_err(|_| "not a whole number".to_owned())
 }
 
 /// Parses a number of bytes, such as `4096`, `64K`, `256M` or `2G`.
@@ -242,15 +209,4 @@ pub(crate) fn size(text: &str) -> Result<u64, String> {
     let (number, shift) = in_units.unwrap_or((text, 0));
     let bytes = number.parse::<u64>().ok().and_then(|number| number.checked_mul(1 << shift));
     bytes.ok_or_else(|| "a number, or one with K, M or G behind it, as in 256M".to_owned())
-}
-
-/// Parses the argument of `--snap`.
-pub(crate) fn snap(text: &str) -> Result<Snap, String> {
-    if text == "auto" {
-        return Ok(Snap::Auto);
-    }
-    match text.parse() {
-        Ok(size) if size > 0.0 && f64::is_finite(size) => Ok(Snap::Size(size)),
-        _ => Err("neither `auto` nor a positive number".to_owned()),
-    }
 }

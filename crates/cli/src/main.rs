@@ -6,7 +6,6 @@ mod audit;
 mod certificate;
 mod clean;
 mod convert;
-mod coverage_arguments;
 mod decompose;
 mod diff;
 mod draw;

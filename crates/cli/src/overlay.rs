@@ -1,7 +1,7 @@
 //! `twinedge overlay`: two layers laid over each other.
 
 use crate::convert::LayerOutput;
-use crate::input::{LayerFile, read_file, snap};
+use crate::input::{LayerFile, read_file};
 use crate::output::{Failure, Verdict, counted, named, plain, print};
 use std::path::PathBuf;
 use twinedge_geometry::noding::Snap;
@@ -36,7 +36,7 @@ pub(crate) struct Overlay {
 
     /// Round all points to a grid with cells of this greatest width. `auto` chooses the finest grid that the coordinates allow; it is also what is
     /// taken where borders cross or touch.
-    #[arg(long, value_name = "auto|SIZE", value_parser = snap, allow_negative_numbers = true)]
+    #[arg(long, value_name = "auto|SIZE", value_parser = twinedge_report::snap, allow_negative_numbers = true)]
     snap: Option<Snap>,
 
     #[command(flatten)]

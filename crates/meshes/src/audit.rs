@@ -64,7 +64,7 @@ pub struct MeshAudit {
 /// ```
 #[must_use]
 pub fn audit(mesh: &IndexedMesh, expectation: &Expectation, collect: Collect) -> MeshAudit {
-    judged(mesh, expectation, collect, |_, _| Vec::new())
+    audit_in_space(mesh, expectation, &[], collect)
 }
 
 /// Like [`audit`], and also checks rules about the coordinates of the points: M9 … M11.
@@ -90,23 +90,13 @@ pub fn audit_in_space(
     rules: &[SpaceRule],
     collect: Collect,
 ) -> MeshAudit {
-    judged(mesh, expectation, collect, |half_edges, findings| match rules {
-        [] => Vec::new(),
-        rules => space::check(half_edges, rules, findings),
-    })
-}
-
-/// Separate, so that a program without rules of space is smaller, as nothing refers to them.
-fn judged(
-    mesh: &IndexedMesh,
-    expectation: &Expectation,
-    collect: Collect,
-    in_space: impl FnOnce(&HalfEdgeMesh<'_>, &mut Findings) -> Vec<SpaceOutcome>,
-) -> MeshAudit {
     let (half_edges, mut findings) = HalfEdgeMesh::link(mesh, collect);
     let report = validate(&half_edges, expectation, collect);
     let counts = MeshCounts::new(&half_edges, &findings, &report);
-    let space = in_space(&half_edges, &mut findings);
+    let space = match rules {
+        [] => Vec::new(),
+        rules => space::check(&half_edges, rules, &mut findings),
+    };
     MeshAudit { counts, findings, report, space }
 }
 

@@ -54,47 +54,24 @@ enum Subject {
 /// # Errors
 /// [`Error`], if the input cannot be read, or not be judged with these options.
 pub fn audit(
-    input: Input,
-    kind: InputKind,
-    options: &Options,
-    stage: &mut dyn FnMut(&'static str),
-) -> Result<Audited, Error> {
-    match kind {
-        InputKind::Map => {}
-        InputKind::Mesh(format) => {
-            let (report, mesh) = mesh::audit(input, format, options, mesh::in_space)?;
-            return Ok(told(report, Subject::Mesh(mesh), options, kind));
-        }
-        _ => return audit_plainly(input, kind, options, stage),
-    }
-    options.refuse_with_geodesic(None)?;
-    let mut input = input;
-    let may_say = options.may_be_said(&mut input)?;
-    let is_asked = options.edges == Some(Edges::Geodesic);
-    let keep = Keep { coverage: !is_asked, features: is_asked || may_say, ..Keep::default() };
-    let mut imported = Imported::read(input, &options.map, keep, stage)?;
-    let is_geodesic = is_asked || may_say && imported.has_great_circles();
-    let report = judge(&mut imported, is_geodesic, options, stage)?;
-    Ok(told(report, Subject::Map(Box::new(imported)), options, kind))
-}
-
-/// Like [`audit`], but always with straight edges and without M9 … M11. Programs that need neither are smaller with this function.
-///
-/// # Errors
-/// As for [`audit`].
-pub fn audit_plainly(
-    input: Input,
+    mut input: Input,
     kind: InputKind,
     options: &Options,
     stage: &mut dyn FnMut(&'static str),
 ) -> Result<Audited, Error> {
     let (report, subject) = match kind {
+        InputKind::Map if options.parent_column.is_some() => return audit_against(input, None, options, stage),
         InputKind::Map => {
-            let mut imported = Imported::read(input, &options.map, Keep { coverage: true, ..Keep::default() }, stage)?;
-            (map::audit(&mut imported, options, stage)?, Subject::Map(Box::new(imported)))
+            options.refuse_with_geodesic(None)?;
+            let may_say = options.may_be_said(&mut input)?;
+            let is_asked = options.edges == Some(Edges::Geodesic);
+            let keep = Keep { coverage: !is_asked, features: is_asked || may_say, ..Keep::default() };
+            let mut imported = Imported::read(input, &options.map, keep, stage)?;
+            let is_geodesic = is_asked || may_say && imported.has_great_circles();
+            (judge(&mut imported, is_geodesic, options, stage)?, Subject::Map(Box::new(imported)))
         }
         InputKind::Mesh(format) => {
-            let (report, mesh) = mesh::audit(input, format, options, mesh::plainly)?;
+            let (report, mesh) = mesh::audit(input, format, options)?;
             (report, Subject::Mesh(mesh))
         }
         InputKind::Textbook => {
@@ -130,7 +107,7 @@ pub fn audit_against(
     stage: &mut dyn FnMut(&'static str),
 ) -> Result<Audited, Error> {
     options.refuse_with_geodesic(Some("--against or --parent-column"))?;
-    let columns = options.parent.iter().flat_map(|parent| parent.columns(other.is_some())).collect::<Vec<_>>();
+    let columns = options.parent_column.iter().flat_map(|parent| parent.columns(other.is_some())).collect::<Vec<_>>();
     let keep = Keep { coverage: true, columns: &columns, features: true, points: true, ..Keep::default() };
     let mut imported = Imported::read(input, &options.map, keep, stage)?;
     let mut report = map::audit(&mut imported, options, stage)?;

@@ -5,6 +5,7 @@ use crate::diagnosis_text::size;
 use crate::imported::Imported;
 use crate::judgement::{Judgement, judged};
 use crate::names::{named, numbered_name};
+use crate::options::CoverageOptions;
 use crate::trace::{of_finding, position};
 use crate::units::Units;
 use crate::verdict::Verdict;
@@ -14,19 +15,10 @@ use serde::Serialize;
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
-use twinedge_coverage::{CoverageRule, Defect, Finding, Limits};
+use twinedge_coverage::{CoverageRule, Defect, Finding};
 use twinedge_diagnosis::{Diagnosis, FeatureName, Flaw, Kind, Measures, MissingVertex, Position, Trace};
 use twinedge_geometry::Point;
 use twinedge_map::{Builder, PlanarMap};
-
-/// The options by which a coverage is judged.
-#[derive(Clone, Debug, Default)]
-pub struct CoverageOptions {
-    /// True if findings of C1 … C7 count as violations.
-    pub is_rule: bool,
-    /// The limits.
-    pub limits: Limits,
-}
 
 /// The findings as JSON.
 #[derive(Debug, Serialize)]
@@ -93,7 +85,7 @@ impl Coverage {
         list: usize,
         stage: &mut dyn FnMut(&'static str),
     ) -> Self {
-        let judgement = judged(imported, builder, &asked.limits, units, stage).map_err(|why| why.to_string());
+        let judgement = judged(imported, builder, &asked.limits.limits(), units, stage).map_err(|why| why.to_string());
         Self::of(imported, asked, units, list, judgement)
     }
 
@@ -131,7 +123,7 @@ impl Coverage {
             gap_width: None,
             sliver_area: None,
             wider_gaps: 0,
-            greatest_gap: asked.limits.lake_width.or(asked.limits.gap_width),
+            greatest_gap: asked.limits.accepted.lake_width.or(asked.limits.gap_width),
             accepted_gaps: 0,
             unmet: Vec::new(),
             findings: Vec::new(),
@@ -462,7 +454,7 @@ pub(crate) fn of_rule(rule: CoverageRule, asked: &CoverageOptions, at: Option<Po
         cause: Some(cause),
         remedy: Some(remedy),
         look: at.map(position),
-        is_violation: asked.is_rule,
+        is_violation: asked.coverage,
         ..Diagnosis::default()
     }
 }

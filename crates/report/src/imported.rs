@@ -3,6 +3,7 @@
 use crate::error::Error;
 use crate::input::Input;
 use crate::noted::{Keep, Noted};
+use crate::options::MapOptions;
 use crate::read_ahead::{HandOn, Take, read_ahead};
 use crate::shelf::Shelf;
 use twinedge_coverage::insert_touches;
@@ -10,17 +11,6 @@ use twinedge_geometry::noding::Snap;
 use twinedge_layers::io::ReadSummary;
 use twinedge_layers::{Crs, Feature as LayerFeature, Format, Header, Layer, ReadError, read, to_map};
 use twinedge_map::{BuildSummary, Builder, Feature, Noding, PlanarMap, UnmatchedVertex};
-
-/// The options for building a map.
-#[derive(Clone, Debug, Default)]
-pub struct MapOptions {
-    /// The grid to which cut points are rounded; without a grid, no segments are cut.
-    pub snap: Option<Snap>,
-    /// The column that names the features.
-    pub name_from: Option<String>,
-    /// Accepts a file without lines and polygons.
-    pub allow_empty: bool,
-}
 
 /// A map, with notes on its input.
 #[derive(Debug)]

@@ -2,12 +2,11 @@
 
 use crate::diagnosis_text::size;
 use crate::error::Error;
-use crate::imported::{Imported, MapOptions};
+use crate::imported::Imported;
 use crate::input::Input;
 use crate::names::named;
 use crate::noted::Keep;
-use crate::options::Options;
-use crate::options::ParentColumn;
+use crate::options::{MapOptions, Options, ParentColumn};
 use crate::report::AuditReport;
 use crate::shelf::InMemory;
 use crate::trace::{of_extent, position};
@@ -29,8 +28,11 @@ pub(crate) struct Other {
 
 impl Other {
     pub(crate) fn read(input: Input, options: &Options) -> Result<Self, Error> {
-        let columns: Vec<String> =
-            options.parent.iter().map(|parent| parent.key.clone().unwrap_or_else(|| parent.column.clone())).collect();
+        let columns: Vec<String> = options
+            .parent_column
+            .iter()
+            .map(|parent| parent.key.clone().unwrap_or_else(|| parent.column.clone()))
+            .collect();
         let mut map = options.map.clone();
         map.name_from = None;
         let keep = Keep { columns: &columns, ..Keep::default() };
@@ -56,7 +58,7 @@ pub(crate) fn judge(
     stage("comparing the layers");
     let count = imported.features.len();
     let both = Both { imported, other, map: noded(imported, other, options.map.snap)? };
-    let units = Units::of(imported, options.geodesic)?;
+    let units = Units::of(imported, options.measured.geodesic)?;
     let mut found = Vec::new();
     let mut rules = Vec::new();
     if other.is_some() {
@@ -65,7 +67,7 @@ pub(crate) fn judge(
         found.extend(check(&both.map, count, &points)?);
         rules.extend(both.rules(points.len()));
     }
-    if let Some(asked) = &options.parent {
+    if let Some(asked) = &options.parent_column {
         let parents = both.parents(asked)?;
         let complete: Vec<FeatureId> = both.map.features().skip(count).collect();
         let of_parents = check_parents(&both.map, &parents, &complete)?;

@@ -76,21 +76,22 @@ pub mod voronoi;
 pub mod words;
 
 pub use accepted::{Accepted, AcceptedError, AcceptedFinding};
-pub use audit::{
-    Audited, OfReader, audit, audit_against, audit_in_tiles, audit_layer, audit_mesh, audit_plainly, audit_summary,
-};
+pub use audit::{Audited, OfReader, audit, audit_against, audit_in_tiles, audit_layer, audit_mesh, audit_summary};
 pub use borders::{Border, borders};
-pub use coverage::{Coverage, CoverageOptions, Row, row};
+pub use coverage::{Coverage, Row, row};
 pub use diff::{Compared, Difference, DifferenceError};
 pub use error::Error;
-pub use imported::{Imported, MapOptions};
+pub use imported::Imported;
 pub use input::Input;
 pub use input_kind::InputKind;
 pub use judged::{Counted, Counter};
 pub use layers::{Shared, shared};
 pub use left_out::refuse_without_cuts;
 pub use noted::{Condition, Keep, Noted};
-pub use options::{Edges, Options, ParentColumn};
+pub use options::{
+    AcceptedGaps, CoverageOptions, Edges, LimitOptions, MapOptions, Measured, MeshOptions, Options, OptionsError,
+    ParentColumn, positive, snap, whole,
+};
 pub use shelf::{InMemory, Shelf};
 pub use tables::EXPECT;
 pub use tiles::{Division, grid_of, merged, no_cuts, refuse_edges};

@@ -33,9 +33,9 @@ pub(crate) fn audit(
     let list = asked.most();
     stage("validating");
     let report = validate_embedding(map, &Expectation::plane(), Collect::AtMost(list));
-    let units = Units::of(imported, asked.geodesic)?;
+    let units = Units::of(imported, asked.measured.geodesic)?;
     let coverage = Coverage::new(imported, builder, &asked.coverage, &units, list, stage);
-    let is_rule = asked.coverage.is_rule;
+    let is_rule = asked.coverage.coverage;
     // A rule that cannot be checked is not known to hold.
     let is_checked = !is_rule || coverage.not_checked().is_none();
     let warnings: Vec<String> = imported.warnings().into_iter().chain(coverage.warnings()).collect();

@@ -13,26 +13,18 @@ use twinedge_diagnosis::{Diagnosis, Kind, Records};
 use twinedge_map::Embedding as _;
 use twinedge_meshes::{Finding, Format as MeshFormat, HalfEdgeMesh, IndexedMesh, MeshAudit, MeshFile};
 
-pub(crate) type Judge = fn(&IndexedMesh, &Options) -> MeshAudit;
-
 /// Checks everything requested.
 pub(crate) fn in_space(mesh: &IndexedMesh, asked: &Options) -> MeshAudit {
-    twinedge_meshes::audit_in_space(mesh, &asked.mesh, &asked.space, Collect::AtMost(asked.most()))
-}
-
-/// Without M9 … M11.
-pub(crate) fn plainly(mesh: &IndexedMesh, asked: &Options) -> MeshAudit {
-    twinedge_meshes::audit(mesh, &asked.mesh, Collect::AtMost(asked.most()))
+    twinedge_meshes::audit_in_space(mesh, &asked.mesh.expectation(), &asked.mesh.space(), Collect::AtMost(asked.most()))
 }
 
 pub(crate) fn audit(
     Input { name, reader, .. }: Input,
     format: MeshFormat,
     asked: &Options,
-    judge: Judge,
 ) -> Result<(AuditReport, IndexedMesh), Error> {
     let file = twinedge_meshes::read(reader, Some(format))?;
-    let mut report = of_mesh(&name, format.first_number(), &judge(&file.mesh, asked))?;
+    let mut report = of_mesh(&name, format.first_number(), &in_space(&file.mesh, asked))?;
     report.notes = notes(&file);
     report.json.extra.insert("format".to_owned(), format.name().into());
     report.json.extra.insert("dropped".to_owned(), to_value(&file.dropped)?);

@@ -1,6 +1,6 @@
 //! The audit of a map by tiles, and of tiles with saved summaries.
 
-use crate::coverage::{Coverage, CoverageOptions};
+use crate::coverage::Coverage;
 use crate::error::Error;
 use crate::imported::{Imported, names};
 use crate::left_out::{reason, refuse_missing, without_cuts};
@@ -9,7 +9,7 @@ use crate::map_json::extra;
 use crate::map_notes::notes;
 use crate::names::numbered_name;
 use crate::noted::{Noted, are_degrees};
-use crate::options::Options;
+use crate::options::{CoverageOptions, Options};
 use crate::report::{AuditReport, CoverageStyle, JsonForm, counts};
 use crate::shelf::Shelf;
 use crate::trace::position;
@@ -58,7 +58,7 @@ pub(crate) fn audit(
         Division::Across(across) => grid_of(corners, [across; 2])?,
         Division::Within(bytes) => fitting(corners, shelf, bytes)?,
     };
-    let outcome = judged(&grid, corners, &asked.coverage.limits, shelf, || stage("judging the tiles"))?;
+    let outcome = judged(&grid, corners, &asked.coverage.limits.limits(), shelf, || stage("judging the tiles"))?;
     let summary = &mut imported.summary;
     // Equal segments are one edge.
     summary.duplicate_segments = (summary.segments - summary.zero_length_segments).saturating_sub(outcome.counts.edges);
@@ -67,11 +67,11 @@ pub(crate) fn audit(
     let warnings: Vec<String> = imported.warnings();
     let mut extra = extra(&imported, &warnings);
     extra.insert("tiles".to_owned(), size(&grid));
-    let units = Units::of(&imported, asked.geodesic)?;
+    let units = Units::of(&imported, asked.measured.geodesic)?;
     let found = report(&imported, outcome, None, &asked.coverage, &units, asked.most())?;
     Ok(AuditReport {
         notes: notes(&imported, warnings),
-        style: CoverageStyle { is_rule: asked.coverage.is_rule, list: asked.list, decimals: noted.decimals() },
+        style: CoverageStyle { is_rule: asked.coverage.coverage, list: asked.list, decimals: noted.decimals() },
         crs: imported.crs.clone(),
         json: JsonForm { extra, ..found.json },
         ..found
@@ -187,7 +187,7 @@ pub(crate) fn audit_summary(
     let extra: Map<String, Value> = [("tiles".to_owned(), size(&grid))].into_iter().collect();
     let decimals = imported.noted.decimals();
     Ok(AuditReport {
-        style: CoverageStyle { list: None, decimals, is_rule: asked.coverage.is_rule },
+        style: CoverageStyle { list: None, decimals, is_rule: asked.coverage.coverage },
         json: JsonForm { extra, ..found.json },
         ..found
     })
@@ -296,8 +296,8 @@ fn report(
     violations.truncate(list);
     let (is_valid, bounds) = (outcome.is_valid(), outcome.bounds().filter(|_| outcome.is_valid()));
     let found = outcome.counts;
-    let of_coverage = if asked.is_rule { coverage.total() } else { 0 };
-    let is_coverage = of_coverage == 0 && (!asked.is_rule || coverage.not_checked().is_none());
+    let of_coverage = if asked.coverage { coverage.total() } else { 0 };
+    let is_coverage = of_coverage == 0 && (!asked.coverage || coverage.not_checked().is_none());
     Ok(AuditReport {
         valid: is_valid && is_coverage,
         json: JsonForm { counts: to_value(found)?, bounds, ..JsonForm::default() },

@@ -14,7 +14,8 @@ import numpy.typing as npt
 
 from . import _twinedge
 from ._names import Names, Sides
-from ._options import _MOST, _accepted, _asked, _cell, _count, _limits, _number, _refuse, _refuse_masked
+from ._options import _MOST, _accepted, _cell, _count, _grid, _limits, _mesh, _number, _refuse, _refuse_masked
+from ._options import _text as _options
 from ._report import Report
 
 #: The most findings that the small picture of a report marks.
@@ -53,7 +54,7 @@ def _corners(faces: Any) -> tuple[npt.NDArray[np.uint32], npt.NDArray[np.uint32]
 
 def audit_faces(
     faces: npt.NDArray[np.integer[Any]] | Sequence[Sequence[int]],
-    vertices: int | None = None,
+    vertices: int | npt.ArrayLike | None = None,
     *,
     sides: int | None = None,
     simple: bool = False,
@@ -62,6 +63,9 @@ def audit_faces(
     components: int | None = None,
     borders: int | None = None,
     genus: int | None = None,
+    no_zero_area: bool = False,
+    no_crossings: bool = False,
+    outward: bool = False,
     list: int | None = None,
 ) -> Report:
     """Judge a mesh that is a list of faces: they are joined at their edges, and the result is validated.
@@ -70,10 +74,13 @@ def audit_faces(
     ----------
     faces : (f, k) integers, or a sequence of sequences
         The vertices of each face, in order.
-    vertices : int, optional
-        How many there are. Default: one more than the largest.
+    vertices : int or (v, 3) floats, optional
+        How many there are, or where they are. Default: one more than the largest.
     sides, simple, closed, used, components, borders, genus, list
         As for :func:`twinedge.validate`. By default a mesh may have borders and any genus.
+    no_zero_area, no_crossings, outward : bool
+        No face has all its corners on one line; faces meet in common corners and edges only; closed components face outwards, or inwards around
+        a cavity (rules M9, M10, M11). These need the places of the vertices.
 
     Returns
     -------
@@ -92,29 +99,39 @@ def audit_faces(
     TypeError
         The vertices are no integers, or in a masked array.
     ValueError
-        A vertex is negative, or not less than ``vertices``; the message says of which face.
+        A vertex is negative, or not less than ``vertices``; the message says of which face. M9, M10 or M11 is asked for without places.
 
     Notes
     -----
     Linear time and memory. The faces are copied before the interpreter lock is released.
     """
     corners, offsets = _corners(faces)
-    count = _count("vertices", vertices, _MOST)
-    if count is None:
-        count = int(corners.max()) + 1 if corners.size else 0
-    asked = _asked(
-        sides=sides, simple=simple, closed=closed, used=used, components=components, borders=borders, genus=genus, list=list
+    in_space = {"no_zero_area": no_zero_area, "no_crossings": no_crossings, "outward": outward}
+    if vertices is None:
+        vertices = int(corners.max()) + 1 if corners.size else 0
+    if np.ndim(vertices) == 0:
+        for name, is_asked in in_space.items():
+            if is_asked:
+                raise ValueError(f"{name}: this is about the places of the vertices, which `vertices` gives as an array")
+        points = np.zeros((_count("vertices", vertices, _MOST) or 0, 3))
+    else:
+        points = np.ascontiguousarray(vertices, dtype=float)
+        if points.ndim != 2 or points.shape[1] != 3:
+            raise ValueError(f"vertices: expected the shape (v, 3), not {points.shape}")
+    claims = _mesh(
+        sides=sides, simple=simple, closed=closed, used=used, components=components, borders=borders, genus=genus, **in_space
     )
-    return Report._told(_twinedge.audit_faces(count, corners, offsets, asked), {"half_edge": Sides(offsets)})
+    told = _twinedge.audit_faces(points, corners, offsets, _options(list, **claims))
+    return Report._told(told, {"half_edge": Sides(offsets)})
 
 
 #: The text of a geometry with a NaN or infinite coordinate, which JSON cannot hold.
 _NOT_FINITE = "NaN"
 
 
-def _source(layer: Any, labels: Names | None = None) -> dict[str, Any]:
+def _source(layer: Any, labels: Names | None = None, columns: Sequence[str] = ()) -> dict[str, Any]:
     """The geometries of anything that holds some, as a text in the form of GeoJSON: a feature for each, in order, with its label as
-    its id. Those that are not finite are left out, and their positions are in it."""
+    its id and with these columns. Those that are not finite are left out, and their positions are in it."""
     texts = _geometries(layer)
     not_finite = [at for at, text in enumerate(texts) if text == _NOT_FINITE]
     for at in not_finite:
@@ -122,11 +139,28 @@ def _source(layer: Any, labels: Names | None = None) -> dict[str, Any]:
     ids = [""] * len(texts)
     if labels is not None and len(labels) == len(texts):
         ids = [_id(labels[at]) for at in range(len(texts))]
+    properties = _properties(layer, columns) if columns else ["null"] * len(texts)
     features = ",".join(
-        f'{{"type":"Feature",{name}"properties":null,"geometry":{text}}}' for name, text in zip(ids, texts, strict=True)
+        f'{{"type":"Feature",{name}"properties":{members},"geometry":{text}}}'
+        for name, members, text in zip(ids, properties, texts, strict=True)
     )
     text = f'{{"type":"FeatureCollection","features":[{features}]}}'
     return _input("layer", text=text.encode(), format="geojson", not_finite=not_finite)
+
+
+def _properties(layer: Any, columns: Sequence[str]) -> list[str]:
+    """Some properties of each feature, in JSON. A missing value is null."""
+    if hasattr(layer, "columns"):
+        for name in columns:
+            if name not in layer.columns:
+                raise ValueError(f"parent_column: there is no column {name!r}; there are {', '.join(map(str, layer.columns))}")
+        rows = [dict(zip(columns, row, strict=True)) for row in zip(*(layer[name].tolist() for name in columns), strict=True)]
+    else:
+        found = layer if isinstance(layer, dict) else getattr(layer, "__geo_interface__", {})
+        if found.get("type") != "FeatureCollection":
+            raise TypeError("parent_column: this is for frames, for collections of features with properties, and for files")
+        rows = [feature.get("properties") or {} for feature in found["features"]]
+    return [json.dumps({name: row.get(name) for name in columns if row.get(name) == row.get(name)}, default=str) for row in rows]
 
 
 def _input(
@@ -282,6 +316,12 @@ def audit(
     components: int | None = None,
     borders: int | None = None,
     genus: int | None = None,
+    no_zero_area: bool = False,
+    no_crossings: bool = False,
+    outward: bool = False,
+    geodesic: bool = False,
+    parent_column: str | None = None,
+    explain: bool = False,
 ) -> Report:
     """Judge a map or a mesh.
 
@@ -331,8 +371,14 @@ def audit(
         So many seconds later the verdict is ``"unknown"``. What was begun ends by itself, on a thread that nobody waits for.
     list : int, optional
         The most violations, and the most findings of each rule, that are listed. Default: 1000; all, with ``accept``.
-    sides, simple, closed, used, components, borders, genus
+    sides, simple, closed, used, components, borders, genus, no_zero_area, no_crossings, outward
         Of a mesh: as for :func:`audit_faces`.
+    geodesic : bool
+        Lengths are in metres along geodesics, and areas in square metres; of longitudes and latitudes only. Limits stay in degrees.
+    parent_column : str, optional
+        Parts make up their parents exactly (X4): this column names the parent of each part, by its label, or as ``"COLUMN=KEY"`` by its column ``KEY``.
+    explain : bool
+        ``cause`` and ``remedy`` of each violation and finding are in the report's JSON.
 
     Returns
     -------
@@ -357,10 +403,12 @@ def audit(
     """
     expected: dict[str, Any] = {
         "sides": sides, "simple": simple, "closed": closed, "used": used, "components": components, "borders": borders, "genus": genus,
+        "no_zero_area": no_zero_area, "no_crossings": no_crossings, "outward": outward,
     }
     for_maps = {
         "format": format, "coverage": coverage, "gap_width": gap_width, "lake_width": lake_width, "accept_gaps": accept_gaps,
         "sliver_area": sliver_area, "snap": snap, "edges": edges, "name": name, "layer_name": layer_name, "accept": accept, "timeout": timeout,
+        "geodesic": geodesic, "parent_column": parent_column,
     }
     labels: Names | None = None
     crs: Any = None
@@ -378,22 +426,18 @@ def audit(
             _refuse("this", **for_maps)
             return audit_faces(*faces, list=list, **expected)
         labels = _labels(layer, name)
-        source = _source(layer, labels)
+        source = _source(layer, labels, [] if parent_column is None else [name for name in parent_column.split("=", 1) if name])
         crs = getattr(layer, "crs", None)
     if not (file and path.suffix.lower() in _MESHES):
         for argument, value in expected.items():
             if value is not None and value is not False:
                 raise TypeError(f"{argument}: this is for meshes, and the layer is a map")
-    asked = {
-        "coverage": bool(coverage),
-        "limits": _limits(gap_width, lake_width, accept_gaps, sliver_area),
-        "snap": _cell(snap),
-        "edges": edges,
-        "name": name if file else None,
-        "accept": _accepted(accept),
-        "list": _twinedge.DEFAULT_LIST if list is None else _count("list", list),
-    }
-    told, offsets = _twinedge.audit(source, asked, _asked(list=list, **expected), _number("timeout", timeout))
+    asked = _options(
+        list, coverage=bool(coverage), **_limits(gap_width, lake_width, accept_gaps, sliver_area), snap=_grid(snap), edges=edges,
+        name_from=name if file else None, geodesic=bool(geodesic), parent_column=parent_column, explain=bool(explain),
+        allow_empty=not file, **_mesh(**expected),
+    )
+    told, offsets = _twinedge.audit(source, asked, _accepted(accept), _number("timeout", timeout))
     names: dict[str, Any] = {}
     if offsets is not None:
         names["half_edge"] = Sides(offsets)
@@ -405,19 +449,25 @@ def audit(
     return report
 
 
-def _faces_of(mesh: Any) -> tuple[Any, int] | None:
-    """The faces and the number of vertices of a mesh of trimesh, pyvista or meshio; ``None`` for anything else."""
+def _faces_of(mesh: Any) -> tuple[Any, Any] | None:
+    """The faces and the places of the vertices of a mesh of trimesh, pyvista or meshio; ``None`` for anything else."""
     if hasattr(mesh, "faces") and hasattr(mesh, "vertices") and not callable(mesh.faces):
-        return np.asarray(mesh.faces), len(mesh.vertices)
+        return np.asarray(mesh.faces), _places(mesh.vertices)
     # Of pyvista: a PolyData keeps the number of corners before the corners of each face.
     if hasattr(mesh, "irregular_faces") and hasattr(mesh, "n_points"):
-        return [*mesh.irregular_faces], mesh.n_points
+        return [*mesh.irregular_faces], _places(mesh.points)
     # Of meshio: blocks of cells of one type each; blocks of dimension 2 are faces.
     if isinstance(getattr(mesh, "cells", None), list) and hasattr(mesh, "points") and hasattr(mesh, "cells_dict"):
         blocks = [block for block in mesh.cells if block.dim == 2]
         faces = [face for block in blocks for face in np.asarray(block.data)[:, : _corner_count(block.type)].tolist()]
-        return faces, len(mesh.points)
+        return faces, _places(mesh.points)
     return None
+
+
+def _places(points: Any) -> Any:
+    """The points in space, or their number if they have another dimension."""
+    places = np.asarray(points, dtype=float)
+    return places if places.ndim == 2 and places.shape[1] == 3 else len(places)
 
 
 def _corner_count(kind: str) -> int | None:

@@ -11,7 +11,8 @@ import numpy as np
 
 from . import _twinedge
 from ._audit import _input, _refused
-from ._options import _cell, _limits
+from ._options import _grid, _limits
+from ._options import _text as _options
 
 
 #: The number of changes, and of findings that are left, that ``repr`` shows.
@@ -106,8 +107,8 @@ def clean(
     is_auto = isinstance(gap_width, str) and gap_width == "auto"
     # Any other text is refused like any value that is no number.
     width = cast("float | None", None if is_auto else gap_width)
-    limits = _limits(width, lake_width, accept_gaps, sliver_area)
-    text, changed = _twinedge.clean(source, limits, _cell(snap), overlap, is_auto, receiving)
+    asked = _options(None, **_limits(width, lake_width, accept_gaps, sliver_area), snap=_grid(snap))
+    text, changed = _twinedge.clean(source, asked, overlap, is_auto, receiving)
     made = geometries.copy()
     for number, digits in changed:
         geometry = None if digits is None else shapely.from_wkb(digits)

@@ -28,11 +28,14 @@ class AuditOptions(TypedDict, total=False):
     sliver_area: float | None
     snap: float | str | None
     edges: str | None
+    geodesic: bool
+    parent_column: str | None
     name: str | None
     layer_name: str | None
     accept: Any
     timeout: float | None
     list: int | None
+    explain: bool
 
 
 def _refuse_masked(name: str, value: Any) -> None:
@@ -103,9 +106,30 @@ def _limits(
     return {
         "gap_width": _number("gap_width", gap_width),
         "lake_width": _number("lake_width", lake_width),
-        "accepted_gaps": _points("accept_gaps", accept_gaps),
-        "sliver_area": _number("sliver_area", sliver_area),
+        "accept_gaps": _points("accept_gaps", accept_gaps),
+        "sliver": _number("sliver_area", sliver_area),
     }
+
+
+def _mesh(
+    *,
+    used: bool = False,
+    sides: int | None = None,
+    components: int | None = None,
+    borders: int | None = None,
+    genus: int | None = None,
+    **switches: bool,
+) -> dict[str, Any]:
+    """The properties of a mesh, by the names that the program has for them."""
+    counts = {"sides": sides, "components": components, "borders": borders, "genus": genus}
+    counted = {name: _count(name, number) for name, number in counts.items()}
+    return {**counted, "no_unused_vertices": bool(used), **{name: bool(value) for name, value in switches.items()}}
+
+
+def _text(list: int | None, **options: Any) -> str:
+    """Options as JSON. Those that are not given are left out."""
+    given = {name: value for name, value in options.items() if value is not None and value is not False}
+    return json.dumps({"list": _twinedge.DEFAULT_LIST if list is None else _count("list", list), **given})
 
 
 def _accepted(accept: Any) -> str | None:
@@ -127,6 +151,11 @@ def _points(name: str, points: Iterable[Sequence[float]] | None) -> list[tuple[f
     if not all(math.isfinite(number) for point in found for number in point):
         raise ValueError(f"{name}: a coordinate is not finite")
     return found
+
+
+def _grid(snap: Any) -> float | str | None:
+    """``snap``, checked."""
+    return _cell(snap) or snap
 
 
 def _cell(snap: Any) -> float | None:

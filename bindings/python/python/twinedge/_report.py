@@ -140,7 +140,7 @@ class Finding:
     message: str
     #: All keys of the JSON form, with their values there: ``kind`` of C3 and C6 is ``"near miss"`` and ``"OGC validity"`` in it.
     fields: dict[str, Any]
-    #: ``"C1"`` to ``"C7"`` of a coverage; ``None`` of a mesh.
+    #: ``"C1"`` to ``"C7"`` of a coverage, ``"X4"`` of parts and parents; ``None`` of a mesh.
     rule: str | None = None
     #: The positions of the features concerned, of a coverage.
     features: tuple[int, ...] = ()
@@ -450,8 +450,8 @@ class Report:
 
     @property
     def findings(self) -> list[Finding]:
-        """The findings about a list of faces, or a map as a coverage; empty for arrays."""
-        return [*map(self._finding, self._coverage.get("findings", self._document.get("findings", ())))]
+        """The findings about a list of faces, or about a map as a coverage and about parts and their parents; empty for arrays."""
+        return [*map(self._finding, [*self._coverage.get("findings", ()), *self._document.get("findings", ())])]
 
     @property
     def _coverage(self) -> dict[str, Any]:

@@ -45,6 +45,7 @@ from . import _twinedge
 from ._columns import _batches, _by_tile, _column, _geometries, _numbers, _with_tiles, _wkb
 from ._map import _keeps
 from ._options import _accepted, _count, _limits
+from ._options import _text as _options
 from ._report import Report
 
 if TYPE_CHECKING:
@@ -334,7 +335,7 @@ def audit_tile(
     given = [(_numbers(batch, feature), _geometries(batch, geometry)) for batch in _batches(batches)]
     numbers = np.concatenate([numbers for numbers, _ in given]) if given else np.empty(0, np.uint32)
     geometries = [column for _, column in given]
-    limits = _limits(gap_width, lake_width, accept_gaps, sliver_area)
+    limits = _options(None, **_limits(gap_width, lake_width, accept_gaps, sliver_area))
     place = _count("tile", tile, 2**32)
     state = None if cuts is None else cuts.state
     summary, cut = _twinedge.summarise(grid._native(), place, numbers, geometries, limits, state)
@@ -405,16 +406,8 @@ def finish(
         summaries += nothing
         # In an empty tile there is nothing to cut.
         cuts += nothing if cuts else []
-    asked = {
-        "coverage": bool(coverage),
-        "limits": _limits(**limits),
-        "snap": None,
-        "edges": None,
-        "name": None,
-        "accept": _accepted(accept),
-        "list": _twinedge.DEFAULT_LIST if list is None else _count("list", list),
-    }
-    return Report._told(_twinedge.finish(summaries, cuts, asked), crs=crs)
+    asked = _options(list, coverage=bool(coverage), **_limits(**limits), allow_empty=True)
+    return Report._told(_twinedge.finish(summaries, cuts, asked, _accepted(accept)), crs=crs)
 
 
 def _box(given: Any) -> tuple[float, ...]:

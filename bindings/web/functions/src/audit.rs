@@ -5,7 +5,7 @@ use crate::options::AuditOptions;
 use crate::source::{Buffer, NamedFile, input};
 use serde::Deserialize;
 use serde_json::{Map, Value, to_value};
-use twinedge_report::{InputKind, audit_plainly};
+use twinedge_report::{InputKind, audit};
 use twinedge_web_bridge::Buffers;
 
 #[derive(Deserialize)]
@@ -46,7 +46,7 @@ pub(crate) fn answer(
     if !matches!(kind, InputKind::Map | InputKind::Arcs) {
         input.refuse_layer(kind.words()).map_err(|error| of_input(error.into()))?;
     }
-    let audited = audit_plainly(input, kind, &options, stage).map_err(|error| of_input(error.into()))?;
+    let audited = audit(input, kind, &options, stage).map_err(|error| of_input(error.into()))?;
     stage("writing the report");
     let mut answer = Map::new();
     for want in asked.want {

@@ -2,10 +2,9 @@
 
 use crate::convert::{Target, write};
 use crate::error::CallError;
-use crate::options::{Gaps, Grid, snap};
 use crate::source::{Buffer, NamedFile, layer, stem};
 use serde::Deserialize;
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 use twinedge_coverage::clean::{Options, Winner};
 use twinedge_layers::clean::CleanOptions;
 use twinedge_report::clean::{Cleaning, Names, Repair};
@@ -19,20 +18,20 @@ pub(crate) struct Request {
 }
 
 #[derive(Clone, Debug, Default, Deserialize)]
-#[serde(default, rename_all = "camelCase", deny_unknown_fields)]
+#[serde(default, rename_all = "camelCase")]
 struct Asked {
     layer: Option<String>,
     to: Option<Target>,
     id_column: Option<String>,
     lossy: bool,
-    snap: Option<Grid>,
-    name_from: Option<String>,
     overlap: Option<String>,
-    gap_width: Option<f64>,
-    lake_width: Option<f64>,
-    accept_gaps: Vec<[f64; 2]>,
-    sliver: Option<f64>,
+    /// The grid, the name of features and the limits.
+    #[serde(flatten)]
+    others: Map<String, Value>,
 }
+
+/// The options of an audit that `clean` takes.
+const TAKEN: [&str; 6] = ["snap", "nameFrom", "gapWidth", "lakeWidth", "acceptGaps", "sliver"];
 
 pub(crate) fn answer(
     asked: Request,
@@ -40,28 +39,26 @@ pub(crate) fn answer(
     stage: &mut dyn FnMut(&'static str),
 ) -> Result<Value, CallError> {
     let Request { files, options } = asked;
-    let gaps = Gaps {
-        gap_width: options.gap_width,
-        lake_width: options.lake_width,
-        accept_gaps: options.accept_gaps,
-        sliver: options.sliver,
-    };
-    gaps.checked()?;
+    if let Some(name) = options.others.keys().find(|name| !TAKEN.contains(&name.as_str())) {
+        return Err(CallError::option(format!("{name}: there is no such option")));
+    }
+    let asked = twinedge_report::Options::from_json(options.others).map_err(CallError::option)?;
+    let limits = asked.coverage.limits.limits();
     stage("reading");
     let (name, mut layer) = layer(files, options.layer.as_deref(), buffers)?;
     let winner = options.overlap.as_deref().map_or(Some(Winner::default()), Winner::of_name);
     let assign = Options {
         winner: winner.ok_or_else(|| CallError::option("overlap: none of inner, larger, smaller, first, last"))?,
-        gap_width: gaps.gap_width,
-        lake_width: gaps.lake_width,
-        accepted_gaps: gaps.accepted(),
-        sliver_area: gaps.sliver,
+        gap_width: limits.gap_width,
+        lake_width: limits.lake_width,
+        accepted_gaps: limits.accepted_gaps,
+        sliver_area: limits.sliver_area,
         ..Options::default()
     };
     stage("cleaning");
     let repair = Repair {
-        names: Names { from: options.name_from.as_deref() },
-        options: CleanOptions { snap: snap(options.snap.as_ref())?, assign, ..CleanOptions::default() },
+        names: Names { from: asked.map.name_from.as_deref() },
+        options: CleanOptions { snap: asked.map.snap, assign, ..CleanOptions::default() },
         ..Repair::default()
     };
     let report = repair.clean(&mut layer).map_err(|error| CallError::from(error).of(&name))?;

@@ -1,12 +1,12 @@
 //! The arguments of `twinedge audit`.
 
 use super::destination;
-use super::mesh_options::MeshOptions;
-use crate::coverage_arguments::{CoverageArguments, Measured};
 use crate::input::MapFile;
 use std::path::PathBuf;
 use twinedge_osm::TagFilter;
-use twinedge_report::{Accepted, Edges, Options, ParentColumn};
+use twinedge_report::{
+    Accepted, CoverageOptions, Edges, Measured, MeshOptions, Options, ParentColumn, positive, whole,
+};
 
 /// Check a map (GeoJSON, TopoJSON, WKT, WKB, Shapefile, GeoPackage, GeoParquet, FlatGeobuf) or a mesh (OBJ, OFF, PLY, STL) for everything that can be wrong.
 ///
@@ -53,7 +53,7 @@ pub(crate) struct Audit {
 
     /// Greatest number of violations to list, and of findings of each rule C1 … C7; all are counted. Default: 1000, and in the text 3
     /// findings of each of C1 … C7.
-    #[arg(long, value_name = "N", value_parser = crate::input::whole, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", value_parser = whole, allow_negative_numbers = true)]
     pub(super) list: Option<usize>,
 
     /// Print the usual cause and the remedy of each kind of violation or finding. In JSON these are the keys `cause` and
@@ -76,7 +76,7 @@ pub(crate) struct Audit {
 
     /// Give up after this number of seconds: the verdict is then `unknown`, and the exit status 1. The report says so; a layer or a page is
     /// not written.
-    #[arg(long, value_name = "SECONDS", value_parser = crate::coverage_arguments::positive)]
+    #[arg(long, value_name = "SECONDS", value_parser = positive)]
     pub(super) timeout: Option<f64>,
 
     /// The input is a topology of PostGIS, as `psql` writes it after `twinedge postgis --sql NAME`. (It is also recognised without this;
@@ -125,32 +125,16 @@ pub(crate) struct Audit {
     /// limits, lengths and areas are in metres and square metres, antimeridian and poles are places like others, a polygon is on the smaller side of its
     /// rings, and C6 is not asked. Default: geodesic, if a GeoParquet file says that its edges are not planar; else straight.
     #[arg(long, value_enum, value_name = "SHAPE")]
-    pub(super) edges: Option<EdgeShape>,
+    pub(super) edges: Option<Edges>,
 
     #[command(flatten)]
-    pub(super) coverage: CoverageArguments,
+    pub(super) coverage: CoverageOptions,
 
     #[command(flatten)]
     pub(super) measured: Measured,
 
     #[command(flatten)]
     pub(super) mesh: MeshOptions,
-}
-
-/// The shape of edges.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-pub(super) enum EdgeShape {
-    Straight,
-    Geodesic,
-}
-
-impl From<EdgeShape> for Edges {
-    fn from(shape: EdgeShape) -> Self {
-        match shape {
-            EdgeShape::Straight => Self::Straight,
-            EdgeShape::Geodesic => Self::Geodesic,
-        }
-    }
 }
 
 impl Audit {
@@ -160,14 +144,13 @@ impl Audit {
         Options {
             list: if is_all { Some(usize::MAX) } else { self.list },
             accepted,
-            parent: self.parent_column.clone(),
+            parent_column: self.parent_column.clone(),
             explain: self.explain,
-            map: self.map.options(),
-            coverage: self.coverage.options(),
-            geodesic: self.measured.is_geodesic(),
-            edges: self.edges.map(Into::into),
-            mesh: self.mesh.expectation(),
-            space: self.mesh.space(),
+            map: self.map.options.clone(),
+            coverage: self.coverage.clone(),
+            measured: self.measured,
+            edges: self.edges,
+            mesh: self.mesh.clone(),
         }
     }
 }

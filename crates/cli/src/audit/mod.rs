@@ -3,7 +3,6 @@
 mod arguments;
 mod by_index;
 mod destination;
-mod mesh_options;
 mod options;
 mod timeout;
 
@@ -84,7 +83,6 @@ impl Audit {
     fn of_input(&self, input: Input, kind: InputKind, options: &Options) -> Result<Audited, Failure> {
         let name = input.name.clone();
         let other = self.against.as_deref().map(|path| open(Some(path), self.against_layer.as_deref())).transpose()?;
-        let is_compared = other.is_some() || self.parent_column.is_some();
         let division = self.memory.map(Division::Within).or(self.tiles.map(Division::Across));
         let audited = match division {
             Some(division) => {
@@ -93,7 +91,7 @@ impl Audit {
                 let mut shelf = shelf_of(path, input.options(), shelf_for(division)).map_err(named("--memory"))?;
                 busy(|stage| audit_in_tiles(input, options, division, &mut *shelf, stage))
             }
-            None if is_compared => busy(|stage| audit_against(input, other, options, stage)),
+            None if other.is_some() => busy(|stage| audit_against(input, other, options, stage)),
             None => busy(|stage| audit(input, kind, options, stage)),
         };
         audited.map_err(named(&name))

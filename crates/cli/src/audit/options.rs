@@ -3,7 +3,7 @@
 use super::arguments::Audit;
 use super::destination::{Destination, ReportFormat};
 use crate::output::{Failure, named};
-use twinedge_report::{Input, InputKind};
+use twinedge_report::{CoverageOptions, Input, InputKind, MeshOptions};
 
 /// Options that only some kinds of input accept.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,12 +39,15 @@ impl Options {
 
     fn are_given(self, asked: &Audit, to: &Destination<'_>) -> bool {
         match self {
-            Self::Snap => asked.map.is_snapped(),
+            Self::Snap => asked.map.options.snap.is_some(),
             Self::Coverage => {
                 let of_lists = asked.accept.is_some() || asked.accept_all.is_some();
-                asked.coverage.is_any() || asked.measured.is_geodesic() || asked.edges.is_some() || of_lists
+                asked.coverage != CoverageOptions::default()
+                    || asked.measured.geodesic
+                    || asked.edges.is_some()
+                    || of_lists
             }
-            Self::Mesh => asked.mesh.is_any(),
+            Self::Mesh => asked.mesh != MeshOptions::default(),
             Self::Page => to.format == ReportFormat::Html,
             Self::Findings => to.format == ReportFormat::Geojson,
             Self::Tiles => asked.tiles.is_some() || asked.memory.is_some(),
@@ -86,7 +89,7 @@ impl Audit {
 
     /// Refuses options that need the whole map.
     fn refuse_with_tiles(&self, to: &Destination<'_>, input: &Input) -> Result<(), Failure> {
-        let is_geodesic = self.measured.is_geodesic();
+        let is_geodesic = self.measured.geodesic;
         let needs = [
             (Options::Snap.are_given(self, to), "--snap"),
             (to.format == ReportFormat::Html, "the format html"),

@@ -72,7 +72,7 @@ impl Certify {
         if matches!(kind, InputKind::Map) {
             return self.certify_map(input);
         }
-        if self.map.is_snapped() {
+        if self.map.options.snap.is_some() {
             return Err(Failure(format!("{name}: --snap is for maps, and this is {}", kind.words())));
         }
         source::read(input, kind, &|source| match source {

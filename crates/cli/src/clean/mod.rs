@@ -4,7 +4,6 @@ mod patch;
 mod tiles;
 
 use crate::convert::LayerOutput;
-use crate::coverage_arguments::AcceptedGaps;
 use crate::input::{LayerFile, WithText};
 use crate::output::{Failure, Format, Verdict, json, named, print, print_json};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
@@ -13,8 +12,8 @@ use std::time::Instant;
 use twinedge_coverage::clean::{Options, Winner};
 use twinedge_geometry::noding::Snap;
 use twinedge_layers::clean::CleanOptions;
-use twinedge_report::Division;
 use twinedge_report::clean::{Cleaning, Names, Repair};
+use twinedge_report::{AcceptedGaps, Division, positive};
 
 /// Repair a layer of polygons: cut borders where they meet, and resolve overlaps, small gaps and slivers.
 ///
@@ -59,7 +58,7 @@ pub(crate) struct Clean {
 
     /// Round all points to a grid first: points within the same cell become one. SIZE is the width of the cells: with 0.001,
     /// coordinates have three decimal places, and such coordinates stay.
-    #[arg(long, value_name = "auto|SIZE", value_parser = crate::input::snap, allow_negative_numbers = true)]
+    #[arg(long, value_name = "auto|SIZE", value_parser = twinedge_report::snap, allow_negative_numbers = true)]
     snap: Option<Snap>,
 
     /// The feature that gets what several claim.
@@ -83,7 +82,7 @@ pub(crate) struct Clean {
 
     /// Area below which gaps are filled and thin parts of features given away. A part is thin if 4π · area / perimeter² is below 0.2: a
     /// rectangle 14 times as long as wide. Default: a thousandth of the median area of all parts, measured after overlaps are resolved.
-    #[arg(long, value_name = "A", value_parser = crate::coverage_arguments::positive)]
+    #[arg(long, value_name = "A", value_parser = positive)]
     sliver: Option<f64>,
 
     /// Write the geometries of the features that changed, before and after, to this file of JSON, by which --undo takes them back.
@@ -112,7 +111,7 @@ pub(crate) struct Clean {
     format: Format,
 
     /// Greatest number of changes to list in the text; all are counted.
-    #[arg(long, value_name = "N", default_value_t = 20, value_parser = crate::input::whole, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", default_value_t = 20, value_parser = twinedge_report::whole, allow_negative_numbers = true)]
     list: usize,
 }
 
@@ -126,9 +125,7 @@ enum GapWidth {
 fn gap_width(text: &str) -> Result<GapWidth, String> {
     match text {
         "auto" => Ok(GapWidth::Auto),
-        _ => crate::coverage_arguments::positive(text)
-            .map(GapWidth::Of)
-            .map_err(|_| "neither `auto` nor a positive number".to_owned()),
+        _ => positive(text).map(GapWidth::Of).map_err(|_| "neither `auto` nor a positive number".to_owned()),
     }
 }
 
@@ -201,7 +198,7 @@ impl Clean {
                 Some(GapWidth::Auto) | None => None,
             },
             lake_width: self.accepted.lake_width,
-            accepted_gaps: self.accepted.accept_gap.clone(),
+            accepted_gaps: self.accepted.accept_gap.iter().copied().map(Into::into).collect(),
             sliver_area: self.sliver,
             ..Options::default()
         };

@@ -1,14 +1,13 @@
 //! `twinedge query … coverage`.
 
 use super::list::{Rows, csv, greatest_first};
-use crate::coverage_arguments::{CoverageArguments, Measured};
-use crate::output::Failure;
+use crate::output::{Failure, named};
 use crate::progress::busy;
 use clap::ValueEnum;
 use serde::Serialize;
 use twinedge_diagnosis::{Diagnosis, Measures};
 use twinedge_report::diagnosis_text::write;
-use twinedge_report::{Coverage, Imported, row};
+use twinedge_report::{Coverage, CoverageOptions, Imported, Measured, Units, row};
 
 /// Overlaps, gaps, near misses, slivers, duplicates, features that are not valid by the OGC, and mismatches: what breaks C1 … C7, as a table.
 ///
@@ -25,7 +24,7 @@ Exit status: 0 there is an answer, if only that there is nothing; 2 the input co
 )]
 pub(super) struct CoverageOf {
     #[command(flatten)]
-    asked: CoverageArguments,
+    asked: CoverageOptions,
 
     #[command(flatten)]
     measured: Measured,
@@ -67,11 +66,10 @@ const HEADINGS: [&str; 8] = ["rule", "kind", "features", "area", "width", "lengt
 
 impl CoverageOf {
     pub(super) fn answer(&self, imported: &Imported) -> Result<(), Failure> {
-        let units = self.measured.units(imported)?;
+        let units = Units::of(imported, self.measured.geodesic).map_err(named(&imported.name))?;
         let builder = imported.builder.clone();
         let mut coverage =
-            busy(|stage| Coverage::new(imported, builder, &self.asked.options(), &units, usize::MAX, stage))
-                .unexplained();
+            busy(|stage| Coverage::new(imported, builder, &self.asked, &units, usize::MAX, stage)).unexplained();
         if let Some(why) = coverage.not_checked() {
             return Err(Failure(format!("{}: {why}", imported.name)));
         }
@@ -89,7 +87,7 @@ impl CoverageOf {
         self.rows.cut(findings);
         let text = || {
             let mut out = String::new();
-            coverage.write_rules(&mut out, self.asked.options().is_rule)?;
+            coverage.write_rules(&mut out, self.asked.coverage)?;
             out.push('\n');
             for one in coverage.findings() {
                 write(&mut out, one, imported.noted.decimals())?;

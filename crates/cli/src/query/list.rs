@@ -22,7 +22,7 @@ pub(super) enum TableFormat {
 #[derive(Debug, clap::Args)]
 pub(super) struct Limit {
     /// Greatest number of rows; all by default.
-    #[arg(long, value_name = "N", value_parser = crate::input::whole, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", value_parser = twinedge_report::whole, allow_negative_numbers = true)]
     limit: Option<usize>,
 }
 

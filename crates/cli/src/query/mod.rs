@@ -89,7 +89,7 @@ impl Query {
             return Ok(Verdict::Sound);
         }
         if let Question::Overlay(question) = &self.question {
-            question.answer(&imported, &self.map.options())?;
+            question.answer(&imported, &self.map.options)?;
             return Ok(Verdict::Sound);
         }
         if !imported.map.is_plane() {
@@ -98,7 +98,7 @@ impl Query {
             return Err(Failure(format!("{input}: {why}; --snap auto cuts them, audit says where they are")));
         }
         let units = match &self.question {
-            Question::Neighbours(question) => question.measured().units(&imported)?,
+            Question::Neighbours(question) => question.units(&imported)?,
             _ => Units::Plane(Units::UNKNOWN),
         };
         let Imported { name: input, map, noted, .. } = imported;

@@ -3,9 +3,8 @@
 use super::borders::{SortBy, print_all};
 use super::list::{Limit, TableFormat};
 use super::which::{Source, Which};
-use crate::coverage_arguments::Measured;
 use crate::output::style::{BAD, QUIET};
-use crate::output::{Failure, measure, print_answer, print_json};
+use crate::output::{Failure, measure, named, print_answer, print_json};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -13,7 +12,7 @@ use twinedge_algorithm::claims::faces_of;
 use twinedge_algorithm::neighbours::{of_feature, touching_feature};
 use twinedge_map::FeatureId;
 use twinedge_report::names::label;
-use twinedge_report::{Condition, Units};
+use twinedge_report::{Condition, Imported, Measured, Units};
 
 /// The neighbours of a feature: who shares a border with it, along which lines, and how long these are.
 #[derive(Debug, clap::Args)]
@@ -87,8 +86,8 @@ impl Neighbours {
         self.which.condition()
     }
 
-    pub(super) const fn measured(&self) -> &Measured {
-        &self.measured
+    pub(super) fn units(&self, imported: &Imported) -> Result<Units, Failure> {
+        Units::of(imported, self.measured.geodesic).map_err(named(&imported.name))
     }
 
     pub(super) fn answer(&self, asked: &Source, units: &Units) -> Result<(), Failure> {

@@ -1,7 +1,6 @@
 //! `twinedge query … overlay`.
 
 use super::list::{Rows, csv, greatest_first};
-use crate::coverage_arguments::Measured;
 use crate::input::open;
 use crate::output::{Failure, measure, named, plain};
 use crate::progress::busy;
@@ -9,7 +8,7 @@ use clap::ValueEnum;
 use serde::Serialize;
 use std::fmt::Write as _;
 use std::path::PathBuf;
-use twinedge_report::{Imported, MapOptions, Shared, shared};
+use twinedge_report::{Imported, MapOptions, Measured, Shared, Units, shared};
 
 /// The area that each feature has in common with each of another layer, or with none of them.
 ///
@@ -64,7 +63,7 @@ const HEADINGS: [&str; 3] = ["first", "second", "area"];
 
 impl OverlayOf {
     pub(super) fn answer(&self, imported: &Imported, options: &MapOptions) -> Result<(), Failure> {
-        let units = self.measured.units(imported)?;
+        let units = Units::of(imported, self.measured.geodesic).map_err(named(&imported.name))?;
         let other = open(Some(&self.second), self.second_layer.as_deref())?;
         let name = other.name.clone();
         let found = busy(|stage| shared(imported, other, options, &units, stage));

@@ -5,7 +5,6 @@ mod sum;
 
 pub(crate) use sum::Sum;
 
-use crate::coverage_arguments::LimitArguments;
 use crate::input::MapFile;
 use crate::output::{Failure, Verdict, named};
 use crate::output_file::write_file;
@@ -17,7 +16,7 @@ use twinedge_geometry::Point;
 use twinedge_layers::io::ReadSummary;
 use twinedge_layers::{Amount, Crs, Format, Indexed};
 use twinedge_report::words::grouped;
-use twinedge_report::{Error, Imported, InMemory, Keep, refuse_edges};
+use twinedge_report::{Error, Imported, InMemory, Keep, LimitOptions, refuse_edges};
 
 /// Make the summary of one tile of a map.
 ///
@@ -57,7 +56,7 @@ pub(crate) struct Tile {
     edges: Option<String>,
 
     #[command(flatten)]
-    limits: LimitArguments,
+    limits: LimitOptions,
 
     /// Say on standard error how much of the file was read.
     #[arg(short, long)]
@@ -120,7 +119,7 @@ impl Tile {
     pub(crate) fn run(&self) -> Result<Verdict, Failure> {
         let mut input = self.map.open()?;
         let name = input.name.clone();
-        if self.map.is_snapped() {
+        if self.map.options.snap.is_some() {
             return Err(Failure(format!("{name}: --snap is for whole maps: a tile takes edges as they are")));
         }
         let options = input.options();
@@ -137,7 +136,7 @@ impl Tile {
         let (made, crs, amount) = if let Some(mut file) = indexed {
             let header = file.header().map_err(named(&name))?;
             refuse(header.edges(), header.crs.as_ref(), file.corners())?;
-            let may_be_empty = self.map.options().allow_empty;
+            let may_be_empty = self.map.options.allow_empty;
             if !may_be_empty && file.has_only_points().map_err(named(&name))? {
                 let points = file.amount().of_features as usize;
                 let mut read = ReadSummary::default();
@@ -147,7 +146,7 @@ impl Tile {
             (by_windows(&mut file, &asked).map_err(named(&name))?, header.crs, Some(file.amount()))
         } else {
             let mut shelf = InMemory::default();
-            let imported = Imported::features(input, &self.map.options(), Keep::default(), &mut shelf);
+            let imported = Imported::features(input, &self.map.options, Keep::default(), &mut shelf);
             let Imported { edges, crs, noted, .. } = imported.map_err(named(&name))?;
             refuse(edges.as_deref(), crs.as_ref(), noted.corners())?;
             let made = of_whole(shelf.features(), noted.corners(), &asked).map_err(named(&name))?;

@@ -80,7 +80,7 @@ impl Sum {
             write_file(path, inputs, &Saved::bytes(crs, whole, cut)?)?;
             return Ok(Verdict::Sound);
         }
-        let coverage = CoverageOptions { is_rule: self.coverage, ..CoverageOptions::default() };
+        let coverage = CoverageOptions { coverage: self.coverage, ..CoverageOptions::default() };
         let map = MapOptions { allow_empty: self.allow_empty, ..MapOptions::default() };
         // Only the number of a reference system identifies its units.
         let number = |name: &str| name.strip_prefix("EPSG:").and_then(|number| number.parse().ok());

@@ -99,6 +99,19 @@ pub enum Deviation {
 }
 
 impl Deviation {
+    /// All kinds, in the order of their rules.
+    pub const ALL: [Self; 9] = [
+        Self::NotWithin,
+        Self::OnlyHere,
+        Self::OnlyThere,
+        Self::NoBorder,
+        Self::OutsideParent,
+        Self::ParentNotCovered,
+        Self::UnknownParent,
+        Self::OffBorder,
+        Self::NotInside,
+    ];
+
     /// Returns the rule that it breaks.
     #[must_use]
     pub const fn rule(self) -> LayerRule {

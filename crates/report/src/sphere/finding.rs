@@ -1,10 +1,11 @@
 //! Findings of a coverage on the sphere, in the common form of reports.
 
 use super::lines::lines;
-use crate::coverage::{Coverage, CoverageOptions, lacks, of_rule};
+use crate::coverage::{Coverage, lacks, of_rule};
 use crate::diagnosis_text::size;
 use crate::imported::Imported;
 use crate::names::all_named;
+use crate::options::CoverageOptions;
 use crate::trace::position;
 use twinedge_coverage::CoverageRule;
 use twinedge_diagnosis::{Diagnosis, Measures, MissingVertex, Position, Trace};

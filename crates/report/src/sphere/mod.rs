@@ -43,7 +43,7 @@ pub(crate) fn audit(
     let of_map = map.as_ref().ok().zip(report.as_ref());
     let rules = rules(&drawing, &clashes, of_map);
     let own: u64 = rules.iter().filter(|rule| rule.id.starts_with('G')).map(|rule| rule.violations).sum();
-    let is_rule = asked.coverage.is_rule;
+    let is_rule = asked.coverage.coverage;
     let is_checked = report.is_some() && (!is_rule || coverage.not_checked().is_none());
     let undrawn = drawing.undrawn().iter().map(|one| antipodal(imported, one));
     let clashing = clashes.iter().map(|one| clashing(imported, &drawing, one, &coverage));
@@ -89,7 +89,7 @@ fn judged(
         ));
     }
     let cover = Cover::new(map, drawing, Inside::Smaller);
-    let mut found = check(&cover, &asked.coverage.limits);
+    let mut found = check(&cover, &asked.coverage.limits.limits());
     found.findings.extend(mismatches(&cover, drawing, clashes));
     Ok(Judged(found))
 }

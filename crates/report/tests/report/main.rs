@@ -15,6 +15,7 @@ mod gate;
 mod great_circles;
 mod maps;
 mod meshes;
+mod options;
 mod structures;
 mod svg;
 mod textbook;

@@ -1,17 +1,48 @@
 //! Audits of texts in memory, with options in the words of the program, and comparisons of their reports.
 
+use clap::Parser as _;
 use serde_json::Value;
 use std::error::Error;
 use std::io::Cursor;
 use std::path::Path;
-use twinedge_geometry::Point;
-use twinedge_geometry::noding::Snap;
-use twinedge_meshes::SpaceRule;
 use twinedge_report::{
-    Accepted, Audited, Division, Edges, InMemory, Input, InputKind, Options, audit, audit_against, audit_in_tiles,
+    Accepted, Audited, CoverageOptions, Division, Edges, InMemory, Input, InputKind, MapOptions, Measured, MeshOptions,
+    Options, ParentColumn, audit, audit_against, audit_in_tiles,
 };
 
 /// The options of an audit, in the words of the program.
+#[derive(clap::Parser)]
+#[command(no_binary_name = true)]
+struct Words {
+    #[command(flatten)]
+    map: MapOptions,
+    #[command(flatten)]
+    coverage: CoverageOptions,
+    #[command(flatten)]
+    measured: Measured,
+    #[command(flatten)]
+    mesh: MeshOptions,
+    #[arg(long)]
+    list: Option<usize>,
+    #[arg(long)]
+    explain: bool,
+    #[arg(long)]
+    edges: Option<Edges>,
+    #[arg(long)]
+    parent_column: Option<ParentColumn>,
+    #[arg(long)]
+    layer: Option<String>,
+    #[arg(long)]
+    arcs: bool,
+    #[arg(long)]
+    postgis: bool,
+    #[arg(long)]
+    tiles: Option<u32>,
+    #[arg(long)]
+    memory: Option<u64>,
+}
+
+/// An audit that is asked for.
 #[derive(Default)]
 pub(crate) struct Asked {
     pub(crate) options: Options,
@@ -23,55 +54,24 @@ pub(crate) struct Asked {
 
 impl Asked {
     pub(crate) fn new(words: &str) -> Self {
-        let mut asked = Self::default();
-        let (options, mut words) = (&mut asked.options, words.split_whitespace());
-        let limits = &mut options.coverage.limits;
-        while let Some(word) = words.next() {
-            let mut next = || words.next().expect("an option has a value");
-            let number = |text: &str| text.parse::<f64>().expect("it is a number");
-            let whole = |text: &str| text.parse::<usize>().expect("it is a whole number");
-            match word {
-                "--accept-gap" => {
-                    let [x, y] = next().split(',').map(number).collect::<Vec<_>>()[..] else { panic!("no place") };
-                    limits.accepted_gaps.push(Point::new(x, y));
-                }
-                "--allow-empty" => options.map.allow_empty = true,
-                "--arcs" => asked.arcs = true,
-                "--borders" => options.mesh = options.mesh.borders(whole(next())),
-                "--closed" => options.mesh = options.mesh.closed(),
-                "--components" => options.mesh = options.mesh.components(whole(next())),
-                "--coverage" => options.coverage.is_rule = true,
-                "--edges" => {
-                    options.edges = Some(if next() == "geodesic" { Edges::Geodesic } else { Edges::Straight });
-                }
-                "--explain" => options.explain = true,
-                "--gap-width" => limits.gap_width = Some(number(next())),
-                "--genus" => options.mesh = options.mesh.genus(whole(next())),
-                "--geodesic" => options.geodesic = true,
-                "--lake-width" => limits.lake_width = Some(number(next())),
-                "--layer" => asked.layer = Some(next().to_owned()),
-                "--list" => options.list = Some(whole(next())),
-                "--memory" => asked.division = Some(Division::Within(whole(next()) as u64)),
-                "--name-from" => options.map.name_from = Some(next().to_owned()),
-                "--no-crossings" => options.space.push(SpaceRule::Crossing),
-                "--no-unused-vertices" => options.mesh = options.mesh.no_unused_vertices(),
-                "--no-zero-area" => options.space.push(SpaceRule::Area),
-                "--outward" => options.space.push(SpaceRule::Outward),
-                "--parent-column" => options.parent = Some(next().parse().expect("it is a column")),
-                "--postgis" => asked.postgis = true,
-                "--sides" => options.mesh = options.mesh.sides(whole(next())),
-                "--sliver" => limits.sliver_area = Some(number(next())),
-                "--snap" => {
-                    options.map.snap = Some(match next() {
-                        "auto" => Snap::Auto,
-                        size => Snap::Size(number(size)),
-                    });
-                }
-                "--tiles" => asked.division = Some(Division::Across(whole(next()) as u32)),
-                _ => panic!("{word}"),
-            }
-        }
-        asked
+        let Words {
+            map,
+            coverage,
+            measured,
+            mesh,
+            list,
+            explain,
+            edges,
+            parent_column,
+            layer,
+            arcs,
+            postgis,
+            tiles,
+            memory,
+        } = Words::try_parse_from(words.split_whitespace()).unwrap_or_else(|error| panic!("{error}"));
+        let options = Options { list, explain, map, coverage, accepted: None, parent_column, edges, measured, mesh };
+        let division = tiles.map(Division::Across).or(memory.map(Division::Within));
+        Self { options, division, arcs, postgis, layer }
     }
 
     /// Accepts the findings of this list, and lists all findings.
@@ -87,7 +87,6 @@ impl Asked {
         let kind = InputKind::of(self.postgis, self.arcs, &mut input)?;
         match self.division {
             Some(division) => audit_in_tiles(input, &self.options, division, &mut InMemory::default(), &mut |_| {}),
-            None if self.options.parent.is_some() => audit_against(input, None, &self.options, &mut |_| {}),
             None => audit(input, kind, &self.options, &mut |_| {}),
         }
     }
