@@ -161,6 +161,14 @@ impl Subject for Mine {
         Some(0)
     }
 
+    fn half_edge_at(&self, index: usize) -> Option<usize> {
+        Some(index)
+    }
+
+    fn vertex_at(&self, index: usize) -> Option<usize> {
+        Some(index)
+    }
+
     fn face_of(&self, corner: Corner<usize, usize>) -> Result<usize, Refusal> {
         match corner {
             Corner::At(h) => Ok(self.live(h)?.face),

@@ -111,7 +111,7 @@
 //! | [`mod@validate`] | the rules, the trait [`validate::View`], the report |
 //! | `store` | the records: keys, slots, columns, the log of overwritten values |
 //! | [`dcel`] | the structure: accessors, circulators, operators |
-//! | [`program`] | sequences of operators as data, canonical forms, conformance tests |
+//! | [`program`] | sequences of operators as data, conformance tests |
 //!
 //! # Limits
 //!

@@ -6,9 +6,10 @@
 use crate::grow::{Arguments, Bound, choose_op, choose_side, choose_turn, grow};
 use twinedge::program::choose::Choose;
 use twinedge::program::{
-    Call, CallOf, Corner, CornerOf, Handle, OpKind, Refusal, Runner, Side, StepOutcome, Subject, Turn, canonical,
+    Call, CallOf, Corner, CornerOf, Handle, OpKind, Refusal, Runner, Side, StepOutcome, Subject, Turn,
 };
 use twinedge::validate::{Collect, Expectation, Table, View, validate};
+use twinedge_trials::canonical;
 
 fn grown<K: Subject>(empty: K, bound: Bound, source: &mut impl Choose) -> Runner<K> {
     let mut runner = Runner::new(empty);

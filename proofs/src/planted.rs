@@ -104,6 +104,10 @@ impl Subject for Planted {
         Subject::unbounded_face(&self.dcel)
     }
 
+    fn half_edge_at(&self, index: usize) -> Option<HalfEdgeKey> {
+        Subject::half_edge_at(&self.dcel, index)
+    }
+
     fn face_of(&self, corner: CornerOf<Self>) -> Result<FaceKey, Refusal> {
         self.dcel.face_of(self.corner(corner))
     }

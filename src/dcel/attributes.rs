@@ -5,7 +5,6 @@ use super::import::Keys;
 use super::structure::Dcel;
 use crate::store::attributes::{Attribute, Attributed, Attributes, Edges, Kind, Policy, Value};
 use crate::store::{FaceKey, HalfEdgeKey, VertexKey};
-use alloc::boxed::Box;
 use alloc::vec::Vec;
 use slotmap::{Key, KeyData, SecondaryMap};
 
@@ -243,13 +242,6 @@ impl Dcel {
     /// Returns the attributes, if there are any, during a change begun by [`attributes_to_change`](Self::attributes_to_change). O(1).
     pub fn attributes_mut(&mut self) -> Option<&mut Attributes> {
         self.store.attributes_mut()
-    }
-
-    /// Replaces the attributes, and returns the previous ones. O(1).
-    pub fn replace_attributes(&mut self, attributes: Option<Attributes>) -> Option<Attributes> {
-        let had = self.store.take_attributes();
-        self.store.set_attributes(attributes.map(Box::new));
-        had.map(|had| *had)
     }
 
     /// Adds attributes with their values, for example of a structure that this one was cut out of. Where both have the same attribute,

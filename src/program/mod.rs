@@ -34,7 +34,7 @@
 //! | shrink a failing program | [`shrink`]; `quickcheck` and `proptest` do it by themselves |
 //! | shrink a program that begins with a mesh or another non-empty structure | [`Generator::beginning_with`] for `proptest`, and for `quickcheck` with [`Generator::candidates`]; [`run_and_shrink`](conformance::Conformance::run_and_shrink) for fuzz targets |
 //! | save it | its text ([`Display`](core::fmt::Display), [`FromStr`](core::str::FromStr)), or [`Program::to_rust`] |
-//! | test two maps for isomorphism | [`canonical`] |
+//! | test two maps for isomorphism | `canonical` of the crate `twinedge-trials` |
 //! | compare with another implementation | [`PointerModel`]: the pointers of the literature, plain and slow |
 //!
 //! # In step
@@ -46,7 +46,6 @@
 #![cfg_attr(feature = "proptest", doc = include_str!("proptest.md"))]
 
 mod arguments;
-pub mod canonical;
 pub mod choose;
 pub mod conformance;
 mod dcel;

@@ -145,9 +145,8 @@ impl From<Refusal> for StepOutcome {
 ///
 /// # The view
 ///
-/// [`View`] is the same structure as the validator sees it. Its indices may be unrelated to the handles, except that
-/// [`Subject::half_edge_at`] and [`Subject::vertex_at`] convert indices into handles if programs begin with a non-empty structure. A
-/// structure with keys keeps an [`Index`](crate::validate::adapt::Index) of all keys seen so far,
+/// [`View`] is the same structure as the validator sees it. Its indices may be unrelated to the handles:
+/// [`Subject::half_edge_at`] and [`Subject::vertex_at`] convert indices into handles. A structure with keys keeps an [`Index`](crate::validate::adapt::Index) of all keys seen so far,
 /// [extends](crate::validate::adapt::Index::extend) it after each operator, and answers `is_vertex`, `is_half_edge` and `is_face` by
 /// testing whether the key is live.
 pub trait Subject: View {
@@ -170,14 +169,11 @@ pub trait Subject: View {
         None
     }
 
-    /// Returns the handle of the half-edge with this index in the view. Without handles (the default), programs begin with the empty
-    /// map.
-    fn half_edge_at(&self, index: usize) -> Option<Self::HalfEdge> {
-        let _ = index;
-        None
-    }
+    /// Returns the handle of the half-edge with this index in the view.
+    fn half_edge_at(&self, index: usize) -> Option<Self::HalfEdge>;
 
-    /// Returns the handle of the vertex with this index in the view. Called for isolated vertices only.
+    /// Returns the handle of the vertex with this index in the view. Called for isolated vertices only: a structure without them keeps
+    /// the default.
     fn vertex_at(&self, index: usize) -> Option<Self::Vertex> {
         let _ = index;
         None
@@ -359,10 +355,25 @@ pub(in crate::program) fn view_face_of<V: View + ?Sized>(view: &V, h: usize) -> 
     view.boundary(h).map_or_else(|| view.face(h), |boundary| view.boundary_face(boundary))
 }
 
+/// The isolated vertices of a view, each with the face that lists it.
+pub(in crate::program) fn isolated_of<V: View + ?Sized>(view: &V) -> impl Iterator<Item = (usize, usize)> + '_ {
+    let faces = (0..view.face_slots()).filter(|f| view.is_face(*f));
+    faces.flat_map(|f| (0..view.inner_count(f)).map(move |i| (f, i))).filter_map(|(f, i)| {
+        let start = match view.inner(f, i) {
+            Some(b) => view.boundary_start(b),
+            None => view.inner_start(f, i),
+        };
+        match start? {
+            Start::Vertex(v) => Some((f, v)),
+            Start::HalfEdge(_) => None,
+        }
+    })
+}
+
 /// Answers the questions of [`subject_by_index!`](crate::subject_by_index).
 #[doc(hidden)]
 pub mod by_index {
-    use super::{Corner, Link, Refusal, Start, View, view_face_of};
+    use super::{Corner, Link, Refusal, View, isolated_of, view_face_of};
 
     fn is_live<V: View>(view: &V, half_edge: usize) -> bool {
         half_edge < view.half_edge_slots() && view.is_half_edge(half_edge)
@@ -388,14 +399,8 @@ pub mod by_index {
                 if (0..view.half_edge_slots()).any(leaves) {
                     return Err(Refusal::NotIsolated);
                 }
-                let lists = |f: &usize| {
-                    let start = |position| match view.inner(*f, position) {
-                        Some(boundary) => view.boundary_start(boundary),
-                        None => view.inner_start(*f, position),
-                    };
-                    view.is_face(*f) && (0..view.inner_count(*f)).any(|i| start(i) == Some(Start::Vertex(v)))
-                };
-                (0..view.face_slots()).find(lists).ok_or(Refusal::Unsupported)
+                let place = isolated_of(view).find(|(_, isolated)| *isolated == v);
+                place.map(|(f, _)| f).ok_or(Refusal::Unsupported)
             }
         }
     }

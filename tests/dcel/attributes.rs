@@ -276,7 +276,7 @@ fn each_ready_made_policy_does_what_it_says() {
     let shared = dcel.add_attribute(Policy::of_faces().split_share().merge_larger());
     let kept = dcel.add_attribute(Policy::of_faces());
     let (made, height) = (
-        dcel.add_attribute(Policy::of_edges().make_default()),
+        dcel.add_attribute(Policy::of_edges().make_with(Default::default)),
         dcel.add_attribute(Policy::of_vertices().interpolate().make_with(|| -1.0)),
     );
     for (of, value) in [(copied, 3), (shared, 3), (kept, 3)] {

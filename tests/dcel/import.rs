@@ -12,8 +12,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use twinedge::dcel::{Dcel, ImportError, Keys, Outside};
 use twinedge::delegate_view;
 use twinedge::program::Program;
-use twinedge::program::canonical::isomorphic;
 use twinedge::validate::{Collect, Expectation, FaceRow, Part, Parts, Rule, Start, Table, VertexRow, View};
+use twinedge_trials::canonical::isomorphic;
 use twinedge_trials::enumerate::for_each_corruption;
 use twinedge_trials::forms::{Form, projected};
 

@@ -5,8 +5,8 @@ use crate::support::tracked::{Keys, Tracked};
 use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use twinedge::dcel::{Boundary, Connection, Corner, Dcel, Face, HalfEdge, HalfEdgeKey, RemovedEdge, Side, Split, Turn};
-use twinedge::program::canonical::{Canonizer, Code};
 use twinedge::program::{Program, Runner, Subject};
+use twinedge_trials::canonical::{Canonizer, Code};
 
 /// Applies every possible change to a map, and undoes each at once.
 struct Undo<'a> {

@@ -5,8 +5,8 @@ use crate::support::programs::{built, program};
 use crate::support::tables::with_boundary_components;
 use crate::support::textbook::{DANGLING, FIVE_FACES};
 use twinedge::dcel::{Dcel, FaceKey, HalfEdgeKey, Side, Split, VertexKey};
-use twinedge::program::canonical::{Canonizer, isomorphic};
 use twinedge::validate::{Table, View};
+use twinedge_trials::canonical::{Canonizer, isomorphic};
 
 const LEFT: Split<'_> = Split { new_face: Side::Left, inner: &[] };
 const RIGHT: Split<'_> = Split { new_face: Side::Right, inner: &[] };

@@ -7,9 +7,9 @@ use crate::support::rotations::each_rotation_system;
 use crate::support::tables::TEXTBOOK;
 use std::collections::{BTreeMap, BTreeSet};
 use twinedge::dcel::{Dcel, HalfEdge, HalfEdgeKey, Side, Split};
-use twinedge::program::canonical::{Canonizer, Code, isomorphic};
 use twinedge::program::{FacePick, Op, Program, Runner};
 use twinedge::validate::{BoundaryPlace, Expectation, Start, Table, View};
+use twinedge_trials::canonical::{Canonizer, Code, isomorphic};
 use twinedge_trials::forms::{Form, projected};
 
 /// All maps with one more edge, one of each isomorphism class: a leaf in every corner, an edge between any two corners

@@ -2,8 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 use twinedge::dcel::Dcel;
-use twinedge::program::canonical::Canonizer;
-use twinedge::program::{Op, Refusal, Runner, StepOutcome, canonical, every_op, try_every_op};
+use twinedge::program::{Op, Refusal, Runner, StepOutcome, every_op, try_every_op};
+use twinedge_trials::canonical::{self, Canonizer};
 use twinedge_trials::census::{Census, Scope};
 
 #[test]

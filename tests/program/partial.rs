@@ -340,7 +340,7 @@ fn a_map_that_exists_is_the_start_on_every_structure() {
     check(|| map.clone(), &Expectation::plane()).unwrap();
     // The reference made from a view is the same map, and itself valid.
     let start = PointerModel::from_view(&map, &Expectation::plane()).unwrap();
-    assert!(canonical::isomorphic(&start.model, &map));
+    assert!(twinedge_trials::canonical::isomorphic(&start.model, &map));
     assert!(validate(&start.model, &Expectation::plane(), Collect::All).is_valid());
 }
 
@@ -440,7 +440,7 @@ fn half_edges_too_many_too_few_and_without_handle_are_named() {
             Difference::Unknown { half_edge: 24, is_named: false },
             "half-edge 24 of the view should not be there",
         ),
-        (found(Flip::Drops), Difference::Missing { corner: 22 }, "corner 22 is no half-edge of the view"),
+        (found(Flip::Drops), Difference::Missing { corner: 22 }, "corner 22 is not in the view"),
         (
             check(|| Nameless(make(Flip::Right)), &SURFACE).unwrap_err(),
             Difference::NoHandle { half_edge: 5 },

@@ -2,8 +2,8 @@
 
 use crate::support::erased::validate;
 use std::fmt::Debug;
-use twinedge::validate::reference::{Disagreement, compare, compare_first};
 use twinedge::validate::{Collect, Expectation, Report, Rule, Table, View, Violation};
+use twinedge_trials::opinions::{Disagreement, compare, compare_first};
 
 /// The rules broken according to the report.
 pub(crate) fn broken(report: &Report) -> Vec<Rule> {

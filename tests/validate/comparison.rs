@@ -4,8 +4,9 @@ use crate::support::nested::{PLANE, nested};
 use crate::support::tables::{half_edge, vertex};
 use std::cell::Cell;
 use twinedge::delegate_view;
-use twinedge::validate::reference::{Disagreement, broken_rules, compare, compare_first, disagreement};
+use twinedge::validate::reference::broken_rules;
 use twinedge::validate::{Collect, Link, Rule, Table, View, validate};
+use twinedge_trials::opinions::{Disagreement, compare, compare_first, disagreement};
 
 /// A table whose twins are correct a number of times, and then nil.
 struct Forgetful<'a>(&'a Table, Cell<usize>);

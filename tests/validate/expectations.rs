@@ -7,8 +7,8 @@ use crate::support::tables::{
     without_border,
 };
 use twinedge::validate::{
-    BoundaryPlace, Collect, Expectation, FaceRow, Field, Figures, HalfEdgeRow, Part, Parts, Record, Rule, Start, Table,
-    Unchecked, VertexRow, View, Violation,
+    BoundaryPlace, Collect, Expectation, FaceRow, Field, Figures, HalfEdgeRow, ParseExpectationError, Part, Parts,
+    Record, Rule, Start, Table, Unchecked, VertexRow, View, Violation,
 };
 use twinedge::view_answers;
 use twinedge_trials::enumerate::for_each_corruption;
@@ -410,4 +410,57 @@ fn what_a_view_does_not_answer_is_not_there() {
     assert_eq!((Digon.boundary_face(0), Digon.boundary_start(0), Digon.boundary_place(0)), (None, None, None));
     assert_eq!((Digon.outer(0), Digon.inner_count(0), Digon.inner(0, 0)), (None, 0, None));
     assert_eq!((Digon.outer_half_edge(0), Digon.inner_start(0, 0)), (None, None));
+}
+
+#[test]
+fn every_expectation_is_read_as_it_was_written() {
+    let mut all = Expectation::surface().open();
+    let words = ["no-unused-vertices", "simple", "sides", "closed", "components", "borders", "genus", "border-kept"];
+    for (word, rule) in words.into_iter().zip(Rule::ALL.iter().filter(|rule| rule.is_optional())) {
+        let number = matches!(word, "sides" | "components" | "borders" | "genus").then_some(7);
+        let [one, more] = [Expectation::plane(), all].map(|expectation| expectation.asking(word, number).unwrap());
+        assert!(one.asks_for(*rule) && !Expectation::plane().asks_for(*rule));
+        assert!(one.to_string().starts_with(&["plane asking ", word].concat()));
+        for expectation in [one, more] {
+            assert_eq!(expectation.to_string().parse(), Ok(expectation));
+        }
+        all = more;
+    }
+    assert_eq!(
+        all.to_string(),
+        "surface open asking no-unused-vertices simple sides 7 closed components 7 \
+         borders 7 genus 7 border-kept"
+    );
+    assert_eq!("plane open asking closed".parse(), Ok(Expectation::plane().open().closed()));
+    assert_eq!("surface".parse(), Ok(Expectation::surface()));
+}
+
+#[test]
+fn other_words_are_errors() {
+    for (text, error, told) in [
+        ("", ParseExpectationError::Surface, "expected `plane` or `surface`"),
+        ("sphere", ParseExpectationError::Surface, "expected `plane` or `surface`"),
+        (
+            "plane closed",
+            ParseExpectationError::Claim { word: "closed".into() },
+            "expected `open` or `asking` in place of `closed`",
+        ),
+        (
+            "plane asking handles",
+            ParseExpectationError::Rule { word: "handles".into() },
+            "`handles` cannot be asked for, but no-unused-vertices, simple, sides, closed, components, borders, genus, \
+             border-kept can",
+        ),
+        ("plane asking genus", ParseExpectationError::Number { after: "genus" }, "expected a number after `genus`"),
+        (
+            "plane asking sides three",
+            ParseExpectationError::Number { after: "sides" },
+            "expected a number after `sides`",
+        ),
+    ] {
+        assert_eq!(error.to_string(), told);
+        assert_eq!(text.parse::<Expectation>(), Err(error), "{text}");
+    }
+    let with_a_number = Expectation::surface().asking("closed", Some(1));
+    assert_eq!(with_a_number, Err(ParseExpectationError::Rule { word: "1".into() }));
 }

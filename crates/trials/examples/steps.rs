@@ -15,10 +15,10 @@ use std::error::Error;
 use std::io::{BufWriter, Write};
 use twinedge::dcel::{Corner, Dcel, Side, Turn};
 use twinedge::dcel::{FaceKey, HalfEdgeKey, VertexKey};
-use twinedge::program::canonical::Canonizer;
 use twinedge::program::{Call, CallOf, Handle, HandleOf, Refusal, Runner, StepOutcome, Subject, try_every_op};
 use twinedge::validate::{Table, View};
 use twinedge::{delegate_subject, delegate_view};
+use twinedge_trials::canonical::Canonizer;
 use twinedge_trials::soak::SoakWork;
 
 const USAGE: &str =

@@ -13,16 +13,16 @@
 //! # How
 //!
 //! Starting with the smallest map, [every operator](every_op) that makes something is applied to every map found, and the result
-//! is new if its [canonical form](twinedge::program::canonical) is unknown. Missing maps would show, as the numbers are
+//! is new if its [canonical form](crate::canonical) is unknown. Missing maps would show, as the numbers are
 //! published.
 //!
 //! All maps are reached. An edge of a connected map can be removed if it separates two faces, or contracted if it does not; the
 //! inverses [`split_vertex`](Op::SplitVertex) and [`connect`](Op::Connect) therefore make each map from one with an edge less.
 //! Any subdivision results from isolated vertices by [`connect`](Op::Connect) alone.
 
+use crate::canonical::{Canonizer, Code};
 use std::collections::{BTreeSet, VecDeque};
 use twinedge::dcel::{Corner, Dcel, Side};
-use twinedge::program::canonical::{Canonizer, Code};
 use twinedge::program::{
     FacePick, HalfEdgePick, InnerPick, Op, Program, Runner, SecondPick, StepOutcome, VertexPick, every_op,
 };

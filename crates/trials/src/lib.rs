@@ -35,9 +35,11 @@
 //!
 //! | input for tests of one's own | |
 //! | --- | --- |
+//! | [`canonical`] | canonical forms: tells whether two maps are the same up to names |
 //! | [`census`] | every small map, each once, grown by the operators |
 //! | [`enumerate`] | every small table, and every change of one cell of a larger one |
 //! | [`forms`] | the 112 forms in which a structure can keep a map, and a map in each |
+//! | [`opinions`] | the validator and the reference on one structure, compared |
 //! | [`RawPointers`] | a second model of the operators, simple and slow |
 //! | [`ReportAudit`] | a `Dcel` that checks the reports of its operators |
 //! | [`Rewound`] | a `Dcel` with a history, whose changes are undone and redone after each operator |
@@ -76,12 +78,14 @@ mod shard;
 mod structure;
 mod verdict;
 
+pub mod canonical;
 pub mod census;
 pub mod corrupt;
 pub mod enumerate;
 pub mod forms;
 pub mod lazy;
 pub mod meshes;
+pub mod opinions;
 pub mod planted;
 pub mod prove;
 pub mod replay;

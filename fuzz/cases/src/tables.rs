@@ -5,13 +5,14 @@ use std::cell::RefCell;
 use twinedge::dcel::Dcel;
 use twinedge::program::choose::Choose;
 use twinedge::program::{Program, Runner};
-use twinedge::validate::reference::{broken_rules, disagreement};
+use twinedge::validate::reference::broken_rules;
 use twinedge::validate::{
     BoundaryPlace, BoundaryRow, Collect, Expectation, FaceRow, HalfEdgeRow, Link, Part, Parts, Report, Start, Table,
     VertexRow, View, validate,
 };
 use twinedge_trials::enumerate::TableCells;
 use twinedge_trials::forms::{Form, projections};
+use twinedge_trials::opinions::disagreement;
 
 /// The largest number of records of a kind in a table for the reference validator, which takes cubic time.
 const SMALL: usize = 12;

@@ -6,7 +6,8 @@ use crate::dcel::Corner;
 use crate::program::operators::{Call, Op};
 use crate::program::pointer_model::{PointerModel, PointerModelVertex};
 use crate::program::runner::Runner;
-use crate::program::subject::{CornerOf, Subject, view_face_of};
+use crate::program::subject::{CornerOf, Subject, isolated_of, view_face_of};
+use crate::validate::{Part, Parts};
 use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
 use alloc::{format, vec};
@@ -143,16 +144,17 @@ fn answer<K: Subject>(runner: &Runner<K>, corner: usize, question: Question) -> 
     place.map_or(Answer::Nothing, Answer::Corner)
 }
 
-/// Finds the first half-edge whose view differs. A missing `next` on the border is ignored.
+/// Finds the first half-edge or isolated vertex whose view differs. A missing `next` on the border is ignored.
 ///
-/// A view with faces, holes and an unbounded face is compared by canonical form, other views link by link: the subject names the
-/// handle of each half-edge of the view, and the handle has a place in the runner's list.
+/// The subject names the handle of each half-edge and isolated vertex of the view, and the handle has a place in the runner's list.
+/// In a planar subdivision the faces and the unbounded face settle the nesting: what lies in the unbounded face is the outside of its
+/// component, whose other cycles bound faces from outside, and so on inwards.
 ///
 /// O(n²) comparisons of handles.
 pub(super) fn compare_view<K: Subject>(
     reference: &Runner<PointerModel>,
     subject: &Runner<K>,
-    has_faces: bool,
+    parts: Parts,
 ) -> Result<(), Difference> {
     let view = subject.subject();
     let model = reference.subject();
@@ -161,13 +163,7 @@ pub(super) fn compare_view<K: Subject>(
     let mut seen = vec![false; subject.half_edges().len()];
     for h in (0..view.half_edge_slots()).filter(|h| view.is_half_edge(*h)) {
         let handle = view.half_edge_at(h).ok_or(Difference::NoHandle { half_edge: h })?;
-        // Most structures keep the order of creation.
-        let guess = places.len();
-        let place = if subject.half_edges().get(guess) == Some(&handle) {
-            Some(guess)
-        } else {
-            subject.half_edges().iter().position(|other| *other == handle)
-        };
+        let place = find(subject.half_edges(), handle, places.len());
         let place = place.filter(|place| !core::mem::replace(&mut seen[*place], true));
         places.insert(h, place.ok_or(Difference::Unknown { half_edge: h, is_named: view.is_named() })?);
     }
@@ -176,6 +172,11 @@ pub(super) fn compare_view<K: Subject>(
     }
     let names: BTreeMap<_, _> = reference.half_edges().iter().enumerate().map(|(place, name)| (*name, place)).collect();
     let (mut vertices, mut faces) = (Pairs::default(), Pairs::default());
+    if parts.has(Part::Holes) && parts.has(Part::UnboundedFace) {
+        let is_unbounded =
+            |f: &usize| view.is_face(*f) && view.outer(*f).is_none() && view.outer_half_edge(*f).is_none();
+        faces.agree(model.unbounded_face(), (0..view.face_slots()).find(is_unbounded));
+    }
     for (h, place) in &places {
         let name = reference.half_edges()[*place];
         let place_of = |link: Option<usize>| link.and_then(|index| places.get(&index).copied());
@@ -185,13 +186,35 @@ pub(super) fn compare_view<K: Subject>(
             (Question::Twin, place_of(view.twin(*h)) == Some(*place ^ 1)),
             (Question::Next, place_of(view.next(*h)) == next || (face.is_none() && view.next(*h).is_none())),
             (Question::Origin, vertices.agree(model.origin_of(name).ok(), view.origin(*h))),
-            (Question::Face, !has_faces || faces.agree(face, view_face_of(view, *h))),
+            (Question::Face, !parts.has(Part::Faces) || faces.agree(face, view_face_of(view, *h))),
         ];
         if let Some((question, _)) = agreed.into_iter().find(|(_, agreed)| !agreed) {
             return Err(Difference::View { half_edge: *h, corner: *place, question });
         }
     }
-    Ok(())
+    if !parts.has(Part::Holes) {
+        return Ok(());
+    }
+    let mut seen = vec![false; subject.isolated().len()];
+    for (f, v) in isolated_of(view) {
+        let handle = view.vertex_at(v).ok_or(Difference::NoVertexHandle { vertex: v })?;
+        let place = find(subject.isolated(), handle, 0);
+        let place = place.filter(|place| !core::mem::replace(&mut seen[*place], true));
+        let name = place.and_then(|place| reference.isolated().get(place));
+        let face = name.and_then(|name| model.face_of(Corner::Isolated(*name)).ok());
+        if face.is_none() || !faces.agree(face, Some(f)) {
+            return Err(Difference::Isolated { vertex: v });
+        }
+    }
+    match seen.iter().position(|seen| !seen) {
+        Some(place) => Err(Difference::Missing { corner: subject.half_edges().len() + place }),
+        None => Ok(()),
+    }
+}
+
+/// The place of a handle in a list. Most structures keep the order of creation, so the place is guessed.
+fn find<H: Copy + Eq>(list: &[H], handle: H, guess: usize) -> Option<usize> {
+    if list.get(guess) == Some(&handle) { Some(guess) } else { list.iter().position(|other| *other == handle) }
 }
 
 /// The vertices whose handles an operator may exchange. Data is stored under handles: if a vertex gets another vertex's handle, the

@@ -50,8 +50,7 @@ pub enum Difference {
     /// Programs cannot begin with this structure.
     #[error(transparent)]
     Start(StartError),
-    /// The structure is not empty, and [`Subject::half_edge_at`](crate::program::Subject::half_edge_at) returns no handle for this
-    /// half-edge.
+    /// [`Subject::half_edge_at`](crate::program::Subject::half_edge_at) returns no handle for this half-edge.
     #[error("half_edge_at gives no handle for half-edge {half_edge} of the view")]
     NoHandle {
         /// The index of the half-edge in the view.
@@ -74,8 +73,8 @@ pub enum Difference {
         /// True for the handles of [`mesh::Named`](crate::program::mesh::Named).
         is_named: bool,
     },
-    /// The view lacks a half-edge.
-    #[error("corner {corner} is no half-edge of the view")]
+    /// The view lacks a half-edge or an isolated vertex.
+    #[error("corner {corner} is not in the view")]
     Missing {
         /// The place of its corner in [`Runner::corners`](crate::program::Runner::corners).
         corner: usize,
@@ -107,9 +106,13 @@ pub enum Difference {
     /// The subject breaks a rule.
     #[error("{}", FirstViolation(.0))]
     Invalid(Box<Report>),
-    /// The subject keeps every expected rule, but is another map.
-    #[error("the map is valid, but another one than it should be")]
-    NotIsomorphic,
+    /// The view keeps every expected rule, but an isolated vertex lies in a different face, is unexpected, or has the handle of another
+    /// vertex.
+    #[error("isolated vertex {vertex} of the view should not be there, or lies in another face than it should")]
+    Isolated {
+        /// The index of the vertex in the view.
+        vertex: usize,
+    },
     /// The map is the expected one, but a surviving vertex has a different handle, so data stored under its old handle is lost. Of
     /// two merged vertices either may survive, unless [`collapse_keeps`](super::Conformance::collapse_keeps) chooses one.
     #[error("a vertex that was there before should be {} and is {found}, so what is kept by its handle is lost", .expected.join(" or "))]

@@ -17,10 +17,10 @@
 //!
 //! 1. the outcome: applied, refused (and the category of the error) or skipped;
 //! 2. the subject's validity, by the validator;
-//! 3. the view: by canonical form, including nesting and the unbounded face, if it has faces, inner boundary components and an
-//!    unbounded face; otherwise half-edge by half-edge;
-//! 4. the answers of handles: `twin`, `next`, origin and face of every half-edge and isolated vertex, in order of creation. A wrong
-//!    handle is found when it is returned, not when it is used;
+//! 3. the view: `twin`, `next`, origin and face of every half-edge, and the face of every isolated vertex;
+//!    [`Subject::half_edge_at`] and [`Subject::vertex_at`] name their handles. A wrong handle is found when it is returned, not when it
+//!    is used;
+//! 4. the answers to the same questions about handles, in order of creation;
 //! 5. the handles of surviving vertices. Of two merged vertices either may survive, unless [`Conformance::collapse_keeps`] chooses one.
 //!    [`Conformance::without_vertex_handles`] is for structures that renumber vertices.
 //!
@@ -35,9 +35,9 @@
 //!
 //! A comparison begins with the subject in its current state. The empty map is enough if the subject has `add_isolated_vertex`.
 //! Otherwise [`PointerModel::from_view`](crate::program::PointerModel::from_view) copies the structure into the reference (its page
-//! covers meshes, borders and surfaces), and [`Subject::half_edge_at`] returns the handles. Each half-edge needs a twin, also on the
-//! border; [`mesh::Named`](crate::program::mesh::Named) adds twins that a mesh does not store. A half-edge on the border needs no
-//! `next`: its view may answer nil.
+//! covers meshes, borders and surfaces). Each half-edge needs a twin, also on the border;
+//! [`mesh::Named`](crate::program::mesh::Named) adds twins that a mesh does not store. A half-edge on the border needs no `next`: its
+//! view may answer nil.
 //!
 //! A mesh whose handles are indices needs a [`View`](crate::validate::View), which [`view_answers!`](crate::view_answers) writes from
 //! one line per answer, and a [`Subject`], which [`subject_by_index!`](crate::subject_by_index) writes from the names of its operators.

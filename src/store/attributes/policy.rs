@@ -137,15 +137,6 @@ impl<K: Attributed, T> Policy<K, T> {
         })
     }
 
-    /// Gives new records the default value.
-    #[must_use]
-    pub fn make_default(self) -> Self
-    where
-        T: Default + 'static,
-    {
-        self.make_with(T::default)
-    }
-
     /// Gives new records the value that a function returns.
     #[must_use]
     pub fn make_with(mut self, make: impl Fn() -> T + Send + Sync + 'static) -> Self {

@@ -6,7 +6,7 @@
 //! | your structure keeps | do |
 //! | --- | --- |
 //! | half-edges with origin, twin and next | nothing: implement [`View`](super::View) |
-//! | `prev` and not `next` | [`Backward`] |
+//! | `prev` and not `next` | answer `next` from the inverse of `prev` |
 //! | `next` and not `prev` | nothing: [`parts`](super::View::parts) leaves out [`Part::Prev`](super::Part::Prev) |
 //! | half-edges along a border, without `next` and face | [`Borders`], and [`open`](super::Expectation::open) |
 //! | half-edges along a border, with `next`, without face | [`open`](super::Expectation::open) |
@@ -41,13 +41,13 @@
 //! Like all views, adapters never make the validator panic or loop, and they take linear time and memory. They read the structure
 //! once: after a change, create a new adapter.
 
+mod borders;
 mod cycles;
 mod index;
 mod labels;
 mod targets;
-mod without_next;
 
+pub use borders::Borders;
 pub use index::{Ids, Index};
 pub use labels::FaceLabels;
 pub use targets::Targets;
-pub use without_next::{Backward, Borders};

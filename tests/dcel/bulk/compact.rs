@@ -3,7 +3,7 @@
 use crate::support::programs::{built, check};
 use twinedge::dcel::{Boundary, Dcel, Face, HalfEdge, Vertex};
 use twinedge::program::Program;
-use twinedge::program::canonical::isomorphic;
+use twinedge_trials::canonical::isomorphic;
 
 #[test]
 fn a_compacted_map_is_the_same_without_gaps() {

@@ -7,10 +7,10 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use twinedge::dcel::{
     BoundaryKey, Dcel, FaceKey, HalfEdgeKey, OperatorError, RecordKind, RemovedEdge, Retained, Room, VertexKey,
 };
-use twinedge::program::canonical::isomorphic;
 use twinedge::program::choose::{Choose, Random};
 use twinedge::program::{OpKind, Program, Runner};
 use twinedge::validate::Table;
+use twinedge_trials::canonical::isomorphic;
 
 /// Decides, from some bytes, whether a record with this index stays.
 fn stays(chosen: &[u8], index: usize) -> bool {

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use twinedge::dcel::{Corner, Dcel, Placement, RotationsError};
 use twinedge::program::Program;
-use twinedge::program::canonical::isomorphic;
+use twinedge_trials::canonical::isomorphic;
 
 /// The rotations of a map, each from any of its half-edges, and the placements of its components.
 fn system(map: &Dcel, turn: usize) -> (Vec<Vec<u32>>, Vec<Placement>) {

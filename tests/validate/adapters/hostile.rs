@@ -6,7 +6,7 @@ use crate::support::inconsistent::Inconsistent;
 use crate::support::nested::{PLANE, nested_textbook};
 use crate::support::only_live::OnlyLive;
 use crate::support::tables::{TEXTBOOK, Without};
-use twinedge::validate::adapt::{Backward, Borders, FaceLabels};
+use twinedge::validate::adapt::{Borders, FaceLabels};
 use twinedge::validate::{Collect, Expectation, HalfEdgeRow, Link, Only, Part, Parts, Table, View};
 use twinedge::{delegate_view, view_answers};
 
@@ -53,7 +53,6 @@ fn adapters_do_not_read_tombstones() {
     };
     for (table, expectation) in maps() {
         judge(&as_targets(&WithTombstones(mirrored(&table))).unwrap(), &expectation);
-        judge(&Backward::of(WithTombstones(table.clone())).unwrap(), &expectation);
         judge(&FaceLabels::one_cycle(WithTombstones(table)).unwrap(), &expectation);
     }
     judge(&Borders::of(WithTombstones(fan().without(Part::Leaving))).unwrap(), &MESH.open());
@@ -82,7 +81,6 @@ fn adapters_ask_no_vacant_slot() {
             judge(&Borders::of(&view).unwrap());
             judge(&FaceLabels::one_cycle(&view).unwrap());
             judge(&FaceLabels::with_holes(&view, None).unwrap());
-            drop(validate(&Backward::of(&view).unwrap(), &expectation, Collect::All));
         }
     }
 }
@@ -95,7 +93,6 @@ fn adapters_are_total() {
         let mut adapted: Vec<Option<Box<dyn View>>> = vec![
             as_targets(&read).map(|view| Box::new(view) as _),
             Borders::of(view()).map(|view| Box::new(view) as _),
-            Backward::of(view()).map(|view| Box::new(view) as _),
             FaceLabels::one_cycle(view()).map(|view| Box::new(view) as _),
         ];
         adapted.extend(
@@ -140,7 +137,6 @@ fn a_structure_that_shrinks_makes_no_adapter_panic() {
             let judge = |view: &dyn View| drop(validate(&view, &expectation, Collect::All));
             judge(&as_targets(&view()).unwrap());
             judge(&Borders::of(view()).unwrap());
-            judge(&Backward::of(view()).unwrap());
             judge(&FaceLabels::one_cycle(view()).unwrap());
             judge(&FaceLabels::with_holes(view(), Some(0)).unwrap());
         }
@@ -165,7 +161,6 @@ fn a_claim_of_too_many_records_makes_no_adapter() {
     for claimed in [usize::MAX, u32::MAX as usize] {
         assert!(as_targets(&Claims([0, claimed, 0])).is_none());
         assert!(Borders::of(Claims([0, claimed, 0])).is_none());
-        assert!(Backward::of(Claims([0, claimed, 0])).is_none());
         for claims in [[0, claimed, 0], [0, 0, claimed]] {
             assert!(FaceLabels::one_cycle(Claims(claims)).is_none());
             assert!(FaceLabels::with_holes(Claims(claims), None).is_none());

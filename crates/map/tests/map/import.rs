@@ -4,12 +4,12 @@ use crate::support::drawn::{Drawn, points_of};
 use crate::support::tables::textbook_map;
 use quickcheck::{Gen, QuickCheck};
 use twinedge::dcel::{ImportError, Outside};
-use twinedge::program::canonical::isomorphic;
 use twinedge::validate::{Expectation, Part, Parts, Rule, Start, Table, View};
 use twinedge::view_answers;
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::Snap;
 use twinedge_map::{Builder, Embedding, Feature, MapImportError, Noding, PlanarMap, Shape};
+use twinedge_trials::canonical::isomorphic;
 
 /// Two triangles that share an edge: half-edges `3f`, `3f + 1`, `3f + 2` around triangle `f`, and no twins outside.
 ///

@@ -1,11 +1,11 @@
 //! Trying every operator with every argument on every map of a scope.
 
 use super::grow::{Codes, Exploration, Size, grow, play};
+use crate::canonical::Canonizer;
 use crate::census::Scope;
 use crate::run::Run;
 use crate::structure::Structure;
 use crate::verdict::judge;
-use twinedge::program::canonical::Canonizer;
 use twinedge::program::panics::catch;
 use twinedge::program::{Op, Program, Refusal, Runner, StepOutcome, Subject, every_op};
 use twinedge::validate::{Counts, Report, View};

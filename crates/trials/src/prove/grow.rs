@@ -1,6 +1,7 @@
 //! Growing all maps of a scope, from the smallest one, by the operators that add something.
 
 use super::outcome::Finding;
+use crate::canonical::{Canonizer, Code};
 use crate::census::Scope;
 use crate::rows::{MOST_FINDINGS, add_findings};
 use crate::run::Run;
@@ -9,7 +10,6 @@ use crate::structure::Structure;
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 use std::hash::{BuildHasher, RandomState};
 use std::sync::{Mutex, MutexGuard, PoisonError};
-use twinedge::program::canonical::{Canonizer, Code};
 use twinedge::program::panics::catch;
 use twinedge::program::{Op, Program, Runner, StepOutcome, Subject, every_op};
 

@@ -6,7 +6,8 @@
 //!
 //! ```
 //! use twinedge::dcel::Dcel;
-//! use twinedge::program::{Program, Runner, canonical};
+//! use twinedge::program::{Program, Runner};
+//! use twinedge_trials::canonical;
 //! let build = |text: &str| -> Dcel {
 //!     let program: Program = text.parse().unwrap();
 //!     let mut runner = Runner::new(Dcel::new());
@@ -38,11 +39,9 @@
 
 mod map;
 
-use crate::numbers::NIL;
-use crate::validate::{Start, View};
-use alloc::vec::Vec;
-use core::ops::Range;
-use map::{Map, Search, fill};
+use map::{Map, NIL, Search, fill};
+use std::ops::Range;
+use twinedge::validate::{Start, View};
 
 /// A canonical form, as bytes. Two maps are isomorphic if and only if their codes are equal; the order of codes has no
 /// meaning.
@@ -205,7 +204,7 @@ impl Nesting {
             match outer_start(view, f) {
                 Some(Start::HalfEdge(h)) => {
                     let cycle = map.cycle[map.dense(h)? as usize] as usize;
-                    if core::mem::replace(&mut self.inside[cycle], f as u32) != NIL {
+                    if std::mem::replace(&mut self.inside[cycle], f as u32) != NIL {
                         return None;
                     }
                     listed += 1;
@@ -301,7 +300,7 @@ impl Nesting {
         for end in self.ends.iter().copied() {
             let mut last = NIL;
             for c in self.levels[begin..end].iter().map(|c| *c as usize) {
-                if core::mem::replace(&mut last, self.ranks[c]) != self.ranks[c] {
+                if std::mem::replace(&mut last, self.ranks[c]) != self.ranks[c] {
                     let code = &self.codes[self.spans[c].clone()];
                     self.result.push(code.len() as u32);
                     self.result.extend_from_slice(code);

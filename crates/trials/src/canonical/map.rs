@@ -1,9 +1,10 @@
 //! A view's half-edges, numbered without gaps, with their cycles and components; and the search for the least code of a connected
 //! map.
 
-use crate::numbers::NIL;
-use crate::validate::View;
-use alloc::vec::Vec;
+use twinedge::validate::View;
+
+/// No number.
+pub(super) const NIL: u32 = u32::MAX;
 
 pub(super) fn fill<T: Clone>(column: &mut Vec<T>, len: usize, value: T) -> Option<()> {
     column.clear();
@@ -78,7 +79,7 @@ impl Map {
     }
 
     pub(super) fn mark_isolated(&mut self, vertex: usize) -> Option<()> {
-        (!core::mem::replace(self.busy.get_mut(vertex)?, true)).then_some(())
+        (!std::mem::replace(self.busy.get_mut(vertex)?, true)).then_some(())
     }
 
     pub(super) fn all_busy<V: View + ?Sized>(&self, view: &V) -> bool {
@@ -170,7 +171,7 @@ impl Search {
         }
         match smaller {
             Some(true) => {
-                core::mem::swap(&mut self.candidate, &mut self.least);
+                std::mem::swap(&mut self.candidate, &mut self.least);
                 self.ties = 1;
             }
             Some(false) => self.ties += 1,

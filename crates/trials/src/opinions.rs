@@ -1,12 +1,8 @@
-//! Comparison of the fast validator with the reference.
+//! Two opinions: the fast validator and the reference on one structure.
 
-use super::rules::{broken_rules, first_broken_rule};
-use crate::validate::expectation::Expectation;
-use crate::validate::report::{Collect, Report, Unchecked};
-use crate::validate::rule::Rule;
-use crate::validate::structure::View;
-use crate::validate::validator::validate;
-use core::fmt;
+use std::fmt;
+use twinedge::validate::reference::{broken_rules, first_broken_rule};
+use twinedge::validate::{Collect, Expectation, Report, Rule, Unchecked, View, validate};
 
 /// A difference between the fast validator and the reference on one structure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -70,7 +66,7 @@ impl fmt::Display for Disagreement {
     }
 }
 
-impl core::error::Error for Disagreement {}
+impl std::error::Error for Disagreement {}
 
 /// Judges a structure by both validators, and returns the common first broken rule; `None` if both call the structure valid.
 ///
@@ -83,7 +79,7 @@ impl core::error::Error for Disagreement {}
 /// [`Disagreement`] if they differ. If the answers of the structure do not change, that is a fault of this crate.
 ///
 /// ```
-/// use twinedge::validate::reference::compare;
+/// use twinedge_trials::opinions::compare;
 /// use twinedge::validate::{Expectation, Rule, Table};
 /// // An edge between two vertices whose two half-edges both say that they start at vertex 0.
 /// let table: Table = "V 2 0 - 1 - H 2 0 1 1 1 0 0 0 0 0 0 B 1 0 h0 i0 F 1 - 1 0".parse()?;
