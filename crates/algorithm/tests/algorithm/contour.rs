@@ -50,36 +50,26 @@ fn shape(contour: &Contour) -> Vec<Vec<usize>> {
 }
 
 #[test]
-fn edges_inside_vanish_and_vertices_on_the_contour_stay() {
-    assert_eq!(shape(&on_a_board(&cells(&["##", "##"]))), [[8]]);
-}
-
-#[test]
-fn parts_that_touch_at_a_vertex_are_polygons_apart() {
-    let contour = on_a_board(&cells(&["#.", ".#"]));
-    assert_eq!(shape(&contour), [[4], [4]]);
-    // Counter-clockwise from the smallest point, and closed.
+fn rings_are_polygons_and_holes_by_what_they_enclose() {
+    for (picture, expected) in [
+        // Edges inside vanish, and vertices on the contour stay.
+        (&["##", "##"][..], vec![vec![8]]),
+        // Parts that touch at a vertex are apart.
+        (&["#.", ".#"], vec![vec![4], vec![4]]),
+        // Inside, the part is connected around the hole; at the upper right of the hole the outside begins.
+        (&["##.", "#.#", "###"], vec![vec![12, 4]]),
+        (&["####", "#.##", "##.#", "####"], vec![vec![16, 4, 4]]),
+        // Holes in a necklace are one hole with a polygon inside.
+        (&["#####", "##.##", "#.#.#", "##.##", "#####"], vec![vec![20, 12], vec![4]]),
+    ] {
+        assert_eq!(shape(&on_a_board(&cells(picture))), expected, "{picture:?}");
+    }
+    // Counter-clockwise from the smallest point, and closed; holes clockwise.
     let outer = vec![at(0, 1), at(1, 1), at(1, 2), at(0, 2), at(0, 1)];
-    assert!(contour.polygons.contains(&Polygon { outer, holes: Vec::new() }));
-}
-
-#[test]
-fn a_hole_that_touches_the_outer_ring_is_a_hole() {
-    // Inside, the part is connected around the hole; at the upper right of the hole the outside begins.
-    let contour = on_a_board(&cells(&["##.", "#.#", "###"]));
-    assert_eq!(shape(&contour), [[12, 4]]);
-    assert_eq!(contour.polygons[0].holes[0], [at(1, 1), at(1, 2), at(2, 2), at(2, 1), at(1, 1)]);
-}
-
-#[test]
-fn holes_that_touch_are_two() {
-    assert_eq!(shape(&on_a_board(&cells(&["####", "#.##", "##.#", "####"]))), [[16, 4, 4]]);
-}
-
-#[test]
-fn holes_in_a_necklace_are_one_hole_with_a_polygon_inside() {
-    let contour = on_a_board(&cells(&["#####", "##.##", "#.#.#", "##.##", "#####"]));
-    assert_eq!(shape(&contour), [vec![20, 12], vec![4]]);
+    let polygon = Polygon { outer, holes: Vec::new() };
+    assert!(on_a_board(&cells(&["#.", ".#"])).polygons.contains(&polygon));
+    let hole = &on_a_board(&cells(&["##.", "#.#", "###"])).polygons[0].holes[0];
+    assert_eq!(*hole, [at(1, 1), at(1, 2), at(2, 2), at(2, 1), at(1, 1)]);
 }
 
 #[test]

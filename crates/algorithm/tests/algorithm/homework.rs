@@ -1,12 +1,10 @@
 //! The homework of the tutorials on DCELs: every vertex, edge and neighbour of a given face; no leaks; structures are values.
 
-use crate::planar;
 use petgraph::visit::IntoNeighbors;
 use std::collections::BTreeSet;
 use twinedge::dcel::{Dcel, Face, FaceKey};
 use twinedge_algorithm::convex::decompose;
 use twinedge_algorithm::dual::Dual;
-use twinedge_algorithm::voronoi::voronoi;
 use twinedge_geometry::Point;
 use twinedge_map::PlanarMap;
 
@@ -93,16 +91,4 @@ fn structures_are_values() {
     assert_eq!((map.dcel().edge_count(), map.dcel().face_count()), (8, 4));
     let moved = std::thread::spawn(move || (other.validate().is_valid(), other)).join().unwrap();
     assert!(moved.0 && map.validate().is_valid());
-}
-
-/// The homework on a real map: walks around every face return to their start, and meet every half-edge once.
-#[test]
-fn all_faces_of_the_world() {
-    let map = planar::world_maps().next().unwrap();
-    let met: usize = map.dcel().faces().map(|face| face.half_edges().count()).sum();
-    assert_eq!(met, map.dcel().half_edge_count());
-    let sites: Vec<Point> = map.dcel().vertices().take(300).map(|v| map.position(v.key()).unwrap()).collect();
-    let cells = voronoi(&sites, None).unwrap();
-    let met: usize = cells.map.dcel().faces().map(|face| face.half_edges().count()).sum();
-    assert_eq!(met, cells.map.dcel().half_edge_count());
 }

@@ -37,6 +37,11 @@ fn only(shapes: &[Shape], limits: &Limits) -> (Finding, Vec<usize>) {
     (finding.clone(), finding.features.iter().map(|feature| feature.index()).collect())
 }
 
+/// Gaps and near misses up to this width.
+fn up_to(width: f64) -> Limits {
+    Limits { gap_width: Some(width), ..Limits::default() }
+}
+
 fn near(a: f64, b: f64) -> bool {
     (a - b).abs() < 1e-9
 }
@@ -100,12 +105,10 @@ fn a_gap_breaks_only_c2() {
     assert_eq!((finding.rule, features), (CoverageRule::Gap, vec![0, 1, 3]));
     assert!(near(finding.area, 0.5) && near(finding.length, 2.0 + 2.0 * 1.25_f64.sqrt()));
     // A gap wider than the limit is intended.
-    let narrow = Limits { gap_width: Some(finding.width * 0.99), ..Limits::default() };
-    let coverage = found(&shapes, &narrow);
+    let coverage = found(&shapes, &up_to(finding.width * 0.99));
     assert_eq!(coverage.findings, []);
     assert_eq!(coverage.wider_gaps.len(), 1);
-    let wide = Limits { gap_width: Some(finding.width * 1.01), ..Limits::default() };
-    assert_eq!(found(&shapes, &wide).of(CoverageRule::Gap).count(), 1);
+    assert_eq!(found(&shapes, &up_to(finding.width * 1.01)).of(CoverageRule::Gap).count(), 1);
 }
 
 /// A spindle-shaped gap between two features comes to a point at both ends. As a whole it is wider than the limit.
@@ -116,7 +119,7 @@ fn the_tips_of_a_wide_gap_are_no_near_misses() {
         [[0.0, 0.0], [10.0, 0.0], [50.0, 5.0], [90.0, 0.0], [100.0, 0.0], [100.0, 20.0], [0.0, 20.0]],
     ];
     let shapes = shapes.map(Shape::polygon);
-    let coverage = found(&shapes, &Limits { gap_width: Some(1.0), ..Limits::default() });
+    let coverage = found(&shapes, &up_to(1.0));
     assert_eq!(coverage.findings, []);
     assert_eq!(coverage.wider_gaps.len(), 1);
     assert!(near(coverage.wider_gaps[0].area, 400.0));
@@ -149,8 +152,7 @@ fn a_strip_open_to_the_outside_breaks_only_c3() {
     assert!(near(finding.area, 0.5) && near(finding.length, 20.0) && near(finding.width, 0.05), "{finding:?}");
     assert!((20.0..20.05).contains(&finding.at.x));
     for (width, count) in [(0.049, 0), (0.051, 1)] {
-        let limits = Limits { gap_width: Some(width), ..Limits::default() };
-        assert_eq!(found(&shapes, &limits).of(CoverageRule::NearMiss).count(), count, "{width}");
+        assert_eq!(found(&shapes, &up_to(width)).of(CoverageRule::NearMiss).count(), count, "{width}");
     }
 }
 
@@ -165,7 +167,7 @@ fn a_strip_along_many_short_edges_is_one_near_miss() {
     let mut east = winding(0.01);
     east.extend([[20.0, 50.0], [20.0, 0.0]]);
     let shapes = [west, east].map(Shape::polygon);
-    let (finding, features) = only(&shapes, &Limits { gap_width: Some(0.02), ..Limits::default() });
+    let (finding, features) = only(&shapes, &up_to(0.02));
     assert_eq!((finding.rule, features), (CoverageRule::NearMiss, vec![0, 1]));
     // Each edge lies opposite an edge of the other border, except for the shift along it.
     let (edge, shift) = (1.09_f64.sqrt(), 0.01);
@@ -192,10 +194,10 @@ fn around_a_lake() -> [Shape; 5] {
 fn a_crack_that_opens_into_a_lake_is_a_near_miss() {
     let shapes = around_a_lake();
     for (width, count) in [(0.019, 0), (0.1, 1), (1.0, 1)] {
-        let coverage = found(&shapes, &Limits { gap_width: Some(width), ..Limits::default() });
+        let coverage = found(&shapes, &up_to(width));
         assert_eq!((coverage.findings.len(), coverage.wider_gaps.len()), (count, 1), "{width}");
     }
-    let (finding, features) = only(&shapes, &Limits { gap_width: Some(0.1), ..Limits::default() });
+    let (finding, features) = only(&shapes, &up_to(0.1));
     assert_eq!((finding.rule, features), (CoverageRule::NearMiss, vec![2, 3]));
     assert!((finding.area - 0.1).abs() < 1e-6 && (finding.width - 0.01).abs() < 1e-6, "{finding:?}");
 }
@@ -240,8 +242,7 @@ fn a_notch_is_no_near_miss() {
         east.extend([[50.0, 0.0], [100.0, 0.0], [100.0, 100.0]]);
         [west, east].map(Shape::polygon)
     };
-    let count =
-        |points, width| found(&notch(points), &Limits { gap_width: Some(width), ..Limits::default() }).findings.len();
+    let count = |points, width| found(&notch(points), &up_to(width)).findings.len();
     for width in [1e-6, 1e-3, 0.1, 0.5, 1.0, 2.0, 5.0, 7.8] {
         assert_eq!(count(1, width), 0, "{width}");
     }
@@ -261,8 +262,7 @@ fn the_width_of_a_near_miss_is_not_that_of_its_ends() {
             vec![[strip + cut, 0.0], [10.0, 0.0], [10.0, 10.0], [strip + cut, 10.0], [strip, 10.0 - cut], [strip, cut]],
         ];
         for width in [1e-6, 1e-3, 0.1, 1.0] {
-            let limits = Limits { gap_width: Some(width), ..Limits::default() };
-            let (finding, _) = only(&shapes.clone().map(Shape::polygon), &limits);
+            let (finding, _) = only(&shapes.clone().map(Shape::polygon), &up_to(width));
             assert!((finding.width / strip - 1.0).abs() < 1e-3, "{cut}, {width}: {finding:?}");
             assert!((finding.area / (strip * (10.0 - 2.0 * cut)) - 1.0).abs() < 1e-3, "{cut}, {width}: {finding:?}");
         }
@@ -279,8 +279,7 @@ fn slanted_borders_are_as_far_apart_as_they_are() {
     ];
     let shapes = shapes.map(Shape::polygon);
     for (width, count) in [(0.149, 0), (0.151, 1)] {
-        let limits = Limits { gap_width: Some(width), ..Limits::default() };
-        assert_eq!(found(&shapes, &limits).of(CoverageRule::NearMiss).count(), count, "{width}");
+        assert_eq!(found(&shapes, &up_to(width)).of(CoverageRule::NearMiss).count(), count, "{width}");
     }
 }
 
@@ -315,7 +314,7 @@ fn borders_of_different_spaces_are_no_near_miss() {
         vec![[10.0, 4.9], [21.0, 4.9], [21.0, 12.0], [10.0, 12.0]],
     ];
     let shapes = shapes.map(Shape::polygon);
-    let coverage = found(&shapes, &Limits { gap_width: Some(1.0), ..Limits::default() });
+    let coverage = found(&shapes, &up_to(1.0));
     let mut pairs: Vec<Vec<usize>> = coverage
         .of(CoverageRule::NearMiss)
         .map(|finding| finding.features.iter().map(|feature| feature.index()).collect())
@@ -327,7 +326,7 @@ fn borders_of_different_spaces_are_no_near_miss() {
 
 #[test]
 fn borders_that_part_at_a_vertex_are_no_near_miss() {
-    let limits = Limits { gap_width: Some(0.1), ..Limits::default() };
+    let limits = up_to(0.1);
     // At 45 degrees, and at 6 degrees.
     for rise in [10.0, 1.0] {
         let low = area([0.0, -10.0], [10.0, 0.0]);
@@ -439,9 +438,8 @@ fn polygons_are_invalid_for_the_reason_that_geos_gives() {
 
 #[test]
 fn an_open_ring_is_a_defect_with_its_gap() {
-    let points = |corners: &[[f64; 2]]| corners.iter().copied().map(Point::from).collect::<Vec<_>>();
     let corners = [[0.0, 0.0], [9.0, 0.0], [9.0, 9.0]];
-    let open = Shape::Polygon(vec![points(&corners), points(&[[6.0, 1.0], [7.0, 1.0], [7.0, 2.0], [6.0, 1.0]])]);
+    let open = Shape::Polygon(vec![ring(&corners), ring(&[[6.0, 1.0], [7.0, 1.0], [7.0, 2.0], [6.0, 1.0]])]);
     let found = defects(&[open]);
     let [defect] = found[..] else { panic!("{found:?}") };
     assert_eq!((defect.kind, defect.shape, defect.ring), (DefectKind::OpenRing, 0, 0));

@@ -32,101 +32,66 @@ fn finished(mut summaries: Vec<Summary>) -> Outcome {
 /// All changes of a value at some place of a summary, one at a time.
 fn changes(of: &Value) -> Vec<(String, Value)> {
     let mut found = Vec::new();
-    let mut change = |what: String, edit: &dyn Fn(&mut Value)| {
-        let mut changed = of.clone();
-        edit(&mut changed);
-        if changed != *of {
+    let value = |at: &str| of.pointer(at).unwrap_or_else(|| panic!("nothing at {at}"));
+    let mut set = |at: &str, to: Value| {
+        if *value(at) != to {
+            let mut changed = of.clone();
+            let what = format!("{at}: {to}");
+            *changed.pointer_mut(at).expect("it has a value") = to;
             found.push((what, changed));
         }
     };
-    let count = |key: &str| of[key].as_array().map_or(0, Vec::len);
-    for (b, border) in of["borders"].as_array().expect("a list").iter().enumerate() {
-        let contacts = border["contacts"].as_array().expect("a list").len();
-        for c in 0..contacts {
-            let at = format!("/borders/{b}/contacts/{c}");
-            for end in 0..2 {
-                for axis in 0..2 {
-                    change(format!("{at}: end {end} moved"), &|v| {
-                        let x = v.pointer_mut(&format!("{at}/edge/{end}/{axis}")).expect("a number");
-                        *x = json!(x.as_f64().expect("a number") + 0.25);
-                    });
+    let list = |at: &str| value(at).as_array().expect("a list").clone();
+    let more = |at: &str| json!(value(at).as_u64().expect("a number") + 1);
+    let [components, cycles, faces] = ["/components", "/cycles", "/faces"].map(|key| list(key).len());
+    for border in (0..list("/borders").len()).map(|b| format!("/borders/{b}")) {
+        let [contacts, beside] = ["contacts", "faces"].map(|key| list(&format!("{border}/{key}")));
+        for c in 0..contacts.len() {
+            let at = format!("{border}/contacts/{c}");
+            for place in ["0/0", "0/1", "1/0", "1/1"] {
+                let at = format!("{at}/edge/{place}");
+                set(&at, json!(value(&at).as_f64().expect("a number") + 0.25));
+            }
+            let features = list(&format!("{at}/features"));
+            set(&format!("{at}/features"), json!([&features[..], &[json!(77)]].concat()));
+            set(&format!("{at}/features"), json!(features[..features.len().saturating_sub(1)]));
+            (0..components).for_each(|component| set(&format!("{at}/component"), json!(component)));
+            for way in 0..2 {
+                (0..cycles).for_each(|cycle| set(&format!("{at}/cycles/{way}"), json!(cycle)));
+            }
+            // A contact is dropped, repeated, or swapped with the one before it.
+            for how in 0..3 {
+                let (mut these, mut those) = (contacts.clone(), beside.clone());
+                match how {
+                    0 => drop((these.remove(c), those.remove(c))),
+                    1 => {
+                        these.insert(c, contacts[c].clone());
+                        those.insert(c, beside[c].clone());
+                    }
+                    _ => these.swap(c.saturating_sub(1), c),
                 }
-            }
-            change(format!("{at}: a feature more"), &|v| {
-                v.pointer_mut(&format!("{at}/features")).and_then(Value::as_array_mut).expect("a list").push(json!(77));
-            });
-            change(format!("{at}: a feature less"), &|v| {
-                v.pointer_mut(&format!("{at}/features")).and_then(Value::as_array_mut).expect("a list").pop();
-            });
-            for component in 0..count("components") {
-                change(format!("{at}: component {component}"), &|v| {
-                    *v.pointer_mut(&format!("{at}/component")).expect("a number") = json!(component);
-                });
-            }
-            for cycle in 0..count("cycles") {
-                for way in 0..2 {
-                    change(format!("{at}: cycle {way} is {cycle}"), &|v| {
-                        *v.pointer_mut(&format!("{at}/cycles/{way}")).expect("a number") = json!(cycle);
-                    });
-                }
-            }
-            let edit = |v: &mut Value, edit: &dyn Fn(&mut Vec<Value>, &mut Vec<Value>)| {
-                let border = &mut v["borders"][b];
-                let [mut contacts, mut faces] = ["contacts", "faces"].map(|key| border[key].take());
-                let (Value::Array(these), Value::Array(those)) = (&mut contacts, &mut faces) else { unreachable!() };
-                edit(these, those);
-                (border["contacts"], border["faces"]) = (contacts, faces);
-            };
-            change(format!("{at}: dropped"), &|v| {
-                edit(v, &|contacts, faces| {
-                    contacts.remove(c);
-                    faces.remove(c);
-                });
-            });
-            change(format!("{at}: repeated"), &|v| {
-                edit(v, &|contacts, faces| {
-                    contacts.insert(c, contacts[c].clone());
-                    faces.insert(c, faces[c].clone());
-                });
-            });
-            if c > 0 {
-                change(format!("{at}: swapped"), &|v| edit(v, &|contacts, _| contacts.swap(c - 1, c)));
+                let mut changed = value(&border).clone();
+                (changed["contacts"], changed["faces"]) = (these.into(), those.into());
+                set(&border, changed);
             }
         }
-        for place in 0..=contacts {
-            for face in 0..count("faces") {
-                change(format!("/borders/{b}/faces/{place}: face {face}"), &|v| {
-                    v["borders"][b]["faces"][place] = json!(face);
-                });
-            }
+        for place in 0..=contacts.len() {
+            (0..faces).for_each(|face| set(&format!("{border}/faces/{place}"), json!(face)));
         }
     }
-    for face in 0..count("faces") {
-        change(format!("face {face}: unbounded or not"), &|v| {
-            let is_unbounded = v["faces"][face]["is_unbounded"].as_bool().expect("a truth value");
-            v["faces"][face]["is_unbounded"] = json!(!is_unbounded);
-        });
-        change(format!("face {face}: no features"), &|v| v["faces"][face]["features"] = json!([]));
-        change(format!("face {face}: another feature"), &|v| v["faces"][face]["features"] = json!([77]));
+    for face in (0..faces).map(|face| format!("/faces/{face}")) {
+        let at = format!("{face}/is_unbounded");
+        set(&at, json!(!value(&at).as_bool().expect("a truth value")));
+        set(&format!("{face}/features"), json!([]));
+        set(&format!("{face}/features"), json!([77]));
     }
-    for cycle in 0..count("cycles") {
-        for component in 0..count("components") {
-            change(format!("cycle {cycle}: component {component}"), &|v| v["cycles"][cycle] = json!(component));
-        }
+    for cycle in 0..cycles {
+        (0..components).for_each(|component| set(&format!("/cycles/{cycle}"), json!(component)));
     }
-    for component in 0..count("components") {
-        for key in ["vertices", "edges", "cycles"] {
-            change(format!("component {component}: {key}"), &|v| {
-                let n = v["components"][component][key].as_u64().expect("a number");
-                v["components"][component][key] = json!(n + 1);
-            });
-        }
-    }
-    for key in ["components", "isolated_vertices", "faces", "unbounded_faces", "cycles"] {
-        change(format!("totals: {key}"), &|v| {
-            let n = v["totals"][key].as_u64().expect("a number");
-            v["totals"][key] = json!(n + 1);
-        });
+    let of_component = |one| ["vertices", "edges", "cycles"].map(|key| format!("/components/{one}/{key}"));
+    let totals = ["components", "isolated_vertices", "faces", "unbounded_faces", "cycles"];
+    for at in (0..components).flat_map(of_component).chain(totals.map(|key| format!("/totals/{key}"))) {
+        set(&at, more(&at));
     }
     found
 }
@@ -296,11 +261,9 @@ fn an_early_merge_finds_no_more_at_a_seam_than_a_late_one_where_another_tile_has
     features.push(feature([line(&[[6.5, 6.6], [7.5, 6.9]]), line(&[[6.5, 6.9], [7.5, 6.6]])]));
     let all = summaries(&features, &lines(), &Limits::default());
     let mut contradictions = 0;
-    let changes = changes(&to_value(&all[0]).expect("it can be saved"));
-    for (what, changed) in changes
-        .into_iter()
-        .filter(|(what, _)| what.contains("feature") || what.contains("swapped") || what.contains("/faces/"))
-    {
+    let mut changes = changes(&to_value(&all[0]).expect("it can be saved"));
+    changes.retain(|(what, _)| what.contains("feature") || what.contains("/faces/"));
+    for (what, changed) in changes {
         let Ok(changed) = serde_json::from_value::<Summary>(changed) else { continue };
         let mut early = all.clone();
         early[0] = changed;

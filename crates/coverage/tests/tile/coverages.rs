@@ -72,7 +72,7 @@ fn findings_on_a_lattice_are_those_of_the_whole() {
     let mut random = Random::new(11);
     let limits = limits();
     let mut seen = BTreeSet::new();
-    for round in 0..400 {
+    for round in 0..150 {
         let mut features = parcels(&mut random);
         // Two strips that nearly meet, and a thin one.
         features.push(feature([area([9.0, 0.0], [9.5, 8.0])]));

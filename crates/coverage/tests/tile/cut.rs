@@ -1,12 +1,15 @@
 //! Maps whose edges meet other than at vertices, cut tile by tile.
 
-use crate::maps::{Random, area, feature, line, point};
+use crate::maps::{Random, area, feature, line, point, sets};
 use crate::whole::{compare, grid, merged, whole, whole_cut};
 use std::collections::BTreeSet;
 use std::convert::Infallible;
 use twinedge_coverage::tile::{AuditError, CrossingKind, Cuts, Grid, Summary, Tile, TileError, audit};
 use twinedge_coverage::{CoverageRule, Limits};
 use twinedge_map::{BuildError, Feature, Shape};
+
+/// Positions of lines between tiles: between points of the lattice, through them, and through the most frequent crossings.
+const PLACES: [f64; 5] = [0.0, 0.5, 1.0, 1.5, 2.0];
 
 /// Triangles and lines between points of a lattice of 4 by 4 points, whose edges cross each other and pass through the points.
 fn on_lattice(random: &mut Random, count: usize) -> Vec<Feature> {
@@ -18,17 +21,10 @@ fn on_lattice(random: &mut Random, count: usize) -> Vec<Feature> {
     (0..count).map(|_| feature([shape(random)])).collect()
 }
 
-/// Up to two lines between tiles: between points of the lattice, through them, and through the most frequent crossings.
-fn sets() -> Vec<Vec<f64>> {
-    let at = [0.0, 0.5, 1.0, 1.5, 2.0];
-    let twos = (0..at.len()).flat_map(|j| (0..j).map(move |i| vec![at[i], at[j]]));
-    [Vec::new()].into_iter().chain(at.into_iter().map(|at| vec![at])).chain(twos).collect()
-}
-
 #[test]
 fn small_maps_are_cut_alike_under_every_tiling() {
-    let (sets, mut random) = (sets(), Random::new(51));
-    for count in [2, 3, 4] {
+    let (sets, mut random) = (sets(&PLACES), Random::new(51));
+    for count in [2, 4] {
         let features = on_lattice(&mut random, count);
         for upright in &sets {
             for level in &sets {
@@ -40,8 +36,8 @@ fn small_maps_are_cut_alike_under_every_tiling() {
 
 #[test]
 fn crossings_on_lines_and_corners_between_tiles_are_cut_once() {
-    let (sets, mut random) = (sets(), Random::new(52));
-    for round in 0..600 {
+    let (sets, mut random) = (sets(&PLACES), Random::new(52));
+    for round in 0..250 {
         let features = on_lattice(&mut random, 2 + round % 7);
         let [upright, level] = [0; 2].map(|_| sets[random.below(sets.len())].clone());
         compare(&features, &grid(&upright, &level), &Limits::default(), &mut random);
@@ -54,7 +50,7 @@ fn edges_that_are_bent_again_are_bent_alike() {
     let mut random = Random::new(53);
     let far = f64::from(1 << 24) * f64::from(1 << 24);
     let mut bent = 0;
-    for round in 0..400 {
+    for round in 0..200 {
         let size = [3.0, 12.0, 40.0][round % 3];
         let part = |random: &mut Random| far + (random.part() * size * 16.0).floor() / 16.0;
         let corner = |random: &mut Random| [part(random), part(random)];
@@ -67,16 +63,11 @@ fn edges_that_are_bent_again_are_bent_alike() {
             }
         };
         let features: Vec<Feature> = (0..12).map(|_| feature([shape(&mut random)])).collect();
-        let mut lines = || {
-            let mut at = [part(&mut random), part(&mut random)];
-            at.sort_by(f64::total_cmp);
-            at[..if at[0] < at[1] { random.below(3) } else { 1 }].to_vec()
-        };
-        let (upright, level) = (lines(), lines());
+        let [upright, level] = [(); 2].map(|()| random.pair(part));
         compare(&features, &grid(&upright, &level), &Limits::default(), &mut random);
         bent += usize::from(crate::whole::rounds(&features) > 1);
     }
-    assert!(bent > 100, "{bent}");
+    assert!(bent > 50, "{bent}");
 }
 
 /// Parcels of a cadastre: neighbours whose borders lack each other's vertices, overlap, leave gaps, cross.
@@ -111,15 +102,10 @@ fn parcels(random: &mut Random) -> Vec<Feature> {
 fn findings_of_a_cadastre_are_those_of_the_whole() {
     let (mut random, mut seen) = (Random::new(54), BTreeSet::new());
     let given = Limits { gap_width: Some(0.05), sliver_area: Some(0.01), ..Limits::default() };
-    for round in 0..300 {
+    for round in 0..120 {
         let features = parcels(&mut random);
         let places = [0.0, 0.35, 0.7, 1.05, 1.4, 1.0, 2.2, 2.8];
-        let mut lines = || {
-            let mut at = [places[random.below(8)], places[random.below(8)]];
-            at.sort_by(f64::total_cmp);
-            at[..if at[0] < at[1] { random.below(3) } else { 1 }].to_vec()
-        };
-        let (upright, level) = (lines(), lines());
+        let [upright, level] = [(); 2].map(|()| random.pair(|random| places[random.below(8)]));
         let limits = if round % 2 == 0 { Limits::default() } else { given.clone() };
         compare(&features, &grid(&upright, &level), &limits, &mut random);
         seen.extend(whole_cut(&features, &limits).findings.iter().map(|finding| finding.rule));
@@ -133,7 +119,7 @@ fn findings_of_a_cadastre_are_those_of_the_whole() {
 fn edges_across_many_tiles_are_cut_in_each() {
     let mut random = Random::new(55);
     let lines = Grid::new([0.0, 0.0], [60.0, 60.0], 12, 9).expect("a grid");
-    for _ in 0..60 {
+    for _ in 0..20 {
         let mut features = Vec::new();
         for _ in 0..6 {
             let mut end = || [random.part() * 60.0, random.part() * 60.0];

@@ -33,9 +33,22 @@ impl Random {
         at.into_iter().map(|at| f64::from(at) / parts).collect()
     }
 
+    /// Up to two different positions, in order.
+    pub(crate) fn pair(&mut self, position: impl Fn(&mut Self) -> f64) -> Vec<f64> {
+        let mut at = [position(self), position(self)];
+        at.sort_by(f64::total_cmp);
+        at[..if at[0] < at[1] { self.below(3) } else { 1 }].to_vec()
+    }
+
     pub(crate) fn part(&mut self) -> f64 {
         self.below(1 << 30) as f64 / f64::from(1 << 30)
     }
+}
+
+/// All sets of at most two of these positions.
+pub(crate) fn sets(at: &[f64]) -> Vec<Vec<f64>> {
+    let twos = (0..at.len()).flat_map(|j| (0..j).map(move |i| vec![at[i], at[j]]));
+    [Vec::new()].into_iter().chain(at.iter().map(|at| vec![*at])).chain(twos).collect()
 }
 
 pub(crate) fn feature(shapes: impl Into<Vec<Shape>>) -> Feature {

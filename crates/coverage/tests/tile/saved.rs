@@ -156,7 +156,7 @@ fn numbers(of: &Value, at: &str, all: &mut BTreeMap<String, f64>) {
 fn rounds_with_changed_cuts_end() {
     let mut random = Random::new(62);
     let (mut refused, mut ended) = (0, 0);
-    for _ in 0..6 {
+    for _ in 0..3 {
         let (features, grid) = far(&mut random, 6);
         let given = numbered(&features);
         let mut cuts = Cuts::new(largest(&features)).expect("finite");

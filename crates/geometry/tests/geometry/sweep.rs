@@ -1,8 +1,9 @@
 //! The sweep and the list of clashes compared with trying every pair.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeSet, HashMap};
 
 use crate::exact::{Grid, all_clashes, point, segment_below};
+use crate::noding::maps::map;
 use quickcheck::{Arbitrary, Gen, QuickCheck, Testable};
 use twinedge_geometry::Point;
 use twinedge_geometry::crossing::{Clash, InvalidSegments, clashes};
@@ -259,69 +260,50 @@ fn zeros_of_either_sign_are_the_same_place() {
 }
 
 /// The distinct points of a map, and its distinct ring segments.
-fn world() -> (Vec<Point>, Vec<[u32; 2]>) {
-    let text = include_str!("../../../cli/data/world-110m.geojson");
-    let (mut points, mut numbers, mut seen, mut segments) = (Vec::new(), HashMap::new(), HashSet::new(), Vec::new());
-    for coordinates in text.split("\"coordinates\":").skip(1) {
-        let coordinates = &coordinates[..coordinates.find('}').unwrap()];
-        for ring in coordinates.split("]]") {
-            let ring: Vec<u32> = ring
-                .split(']')
-                .filter_map(|pair| pair.trim_start_matches([',', '[']).split_once(','))
-                .map(|(x, y)| {
-                    let p = Point::new(x.parse::<f64>().unwrap() + 0.0, y.parse::<f64>().unwrap() + 0.0);
-                    *numbers.entry([p.x.to_bits(), p.y.to_bits()]).or_insert_with(|| {
-                        points.push(p);
-                        points.len() as u32 - 1
-                    })
-                })
-                .collect();
-            let pairs = ring.windows(2).map(|pair| [pair[0].min(pair[1]), pair[0].max(pair[1])]);
-            segments.extend(pairs.filter(|&[u, v]| u != v && seen.insert([u, v])));
-        }
+fn world(text: &str) -> (Vec<Point>, Vec<[u32; 2]>) {
+    let (mut points, mut numbers, mut segments) = (Vec::new(), HashMap::new(), BTreeSet::new());
+    for ends in map(text) {
+        let mut ends = ends.map(|p| {
+            let p = Point::new(p.x + 0.0, p.y + 0.0);
+            *numbers.entry([p.x.to_bits(), p.y.to_bits()]).or_insert_with(|| {
+                points.push(p);
+                points.len() as u32 - 1
+            })
+        });
+        ends.sort_unstable();
+        segments.extend((ends[0] != ends[1]).then_some(ends));
     }
-    (points, segments)
+    (points, segments.into_iter().collect())
 }
 
 #[test]
 fn the_map_of_the_world_is_plane() {
-    let (points, segments) = world();
+    let (points, segments) = world(include_str!("../../../cli/data/world-110m.geojson"));
     assert_eq!((points.len(), segments.len()), (7493, 7655));
     assert_eq!(sweep(&points, &segments, &[]).unwrap().clash, None);
     assert_eq!(clashes(&points, &segments, 9).unwrap(), (vec![], 0));
 }
 
 #[test]
-fn the_two_crossings_that_were_cut_out_of_the_map_are_found() {
-    // The published map had these pairs of segments, without the points where they cross.
+fn the_two_crossings_of_the_published_map_are_found() {
     let published = [
-        [[[23.80524, 8.66648], [24.56845, 8.22980]], [[23.88804, 8.61908], [24.19404, 8.72910]]],
-        [[[33.96094, 9.58384], [33.97534, 8.68509]], [[33.82414, 9.48398], [33.96454, 9.46367]]],
+        [[23.80524, 8.66648], [24.56845, 8.22980], [23.88804, 8.61908], [24.19404, 8.72910]],
+        [[33.96094, 9.58384], [33.97534, 8.68509], [33.82414, 9.48398], [33.96454, 9.46367]],
     ];
-    let (points, mut segments) = world();
-    let nearest = |[x, y]: [f64; 2]| {
-        let distance = |&p: &u32| (points[p as usize].x - x).hypot(points[p as usize].y - y);
-        let nearest = (0..points.len() as u32).min_by(|p, q| distance(p).total_cmp(&distance(q))).unwrap();
-        assert!(distance(&nearest) < 1e-4);
-        nearest
-    };
-    let crossing = published.map(|pair| pair.map(|segment| segment.map(nearest)));
-
-    let touching = |p: u32, segments: &[[u32; 2]]| -> HashSet<u32> {
-        segments.iter().filter(|ends| ends.contains(&p)).map(|&[u, v]| if u == p { v } else { u }).collect()
-    };
-    for pair in crossing {
-        let ends: HashSet<u32> = pair.as_flattened().iter().copied().collect();
-        let middle = (0..points.len() as u32).find(|&p| ends.is_subset(&touching(p, &segments))).unwrap();
-        segments.retain(|segment| !(segment.contains(&middle) && segment.iter().any(|end| ends.contains(end))));
-        assert!(touching(middle, &segments).is_empty());
-    }
-    let first = segments.len() as u32;
-    segments.extend(crossing.as_flattened());
+    let (points, segments) = world(include_str!("../../../../tests/data/world-110m-crossing.geojson"));
     assert_eq!(segments.len(), 7651);
-
-    let crosses = vec![Clash::Cross { a: first, b: first + 1 }, Clash::Cross { a: first + 2, b: first + 3 }];
-    // The two crossing points are still there, isolated, but rounded, so not on either segment.
-    assert_eq!(sweep(&points, &segments, &[]).unwrap().clash, Some(crosses[0]));
-    assert_eq!(clashes(&points, &segments, 9).unwrap(), (crosses, 2));
+    let (found, count) = clashes(&points, &segments, 9).unwrap();
+    let first = sweep(&points, &segments, &[]).unwrap().clash.unwrap();
+    assert!(count == 2 && found.contains(&first), "{found:?}");
+    for corners in published {
+        let is_it = |clash: &Clash| {
+            let Clash::Cross { a, b } = *clash else { return false };
+            let ends = [a, b].map(|segment| segments[segment as usize]).concat();
+            let near = |[x, y]: [f64; 2]| {
+                ends.iter().any(|p| (points[*p as usize].x - x).hypot(points[*p as usize].y - y) < 1e-4)
+            };
+            corners.into_iter().all(near)
+        };
+        assert_eq!(found.iter().filter(|clash| is_it(clash)).count(), 1);
+    }
 }

@@ -1,13 +1,12 @@
 //! Input that `io::geojson` accepts or refuses, and the place of each error.
 
-use std::collections::BTreeSet;
 use std::error::Error;
 use std::io::{self, Read};
 
 use crate::read_geojson as read;
 use twinedge_geometry::Point;
 use twinedge_layers::io::geojson::{Documents, Part, read_parts};
-use twinedge_layers::io::{MAX_NESTED_COLLECTIONS, ReadCause, ReadError, ReadSummary, TextPlace};
+use twinedge_layers::io::{MAX_NESTED_COLLECTIONS, ReadCause, ReadError, TextPlace};
 use twinedge_map::{Feature, Shape};
 
 fn shapes(text: &str) -> Vec<Shape> {
@@ -32,39 +31,6 @@ fn is_at(error: &ReadError, place: TextPlace) -> bool {
 // --------------------------------------------------------------------------------------------------- accepted input
 
 #[test]
-fn every_kind_of_geometry() {
-    let p = |x, y| Shape::Point(Point { x, y });
-    assert_eq!(shapes(r#"{"type":"Point","coordinates":[1,-2.5]}"#), [p(1.0, -2.5)]);
-    assert_eq!(shapes(r#"{"type":"MultiPoint","coordinates":[[1,2],[3,4]]}"#), [p(1.0, 2.0), p(3.0, 4.0)]);
-    let long = line(&[[1.0, 2.0], [3.0, 4.0]]);
-    assert_eq!(shapes(r#"{"type":"LineString","coordinates":[[1,2],[3,4]]}"#), [Shape::Line(long.clone())]);
-    assert_eq!(
-        shapes(r#"{"type":"MultiLineString","coordinates":[[[1,2],[3,4]],[[5,6]]]}"#),
-        [Shape::Line(long), Shape::Line(line(&[[5.0, 6.0]]))]
-    );
-    let outer = line(&[[0.0, 0.0], [9.0, 0.0], [0.0, 9.0], [0.0, 0.0]]);
-    let hole = line(&[[1.0, 1.0], [1.0, 2.0], [2.0, 1.0]]);
-    assert_eq!(
-        shapes(r#"{"type":"Polygon","coordinates":[[[0,0],[9,0],[0,9],[0,0]],[[1,1],[1,2],[2,1]]]}"#),
-        [Shape::Polygon(vec![outer.clone(), hole.clone()])]
-    );
-    assert_eq!(
-        shapes(
-            r#"{"type":"MultiPolygon","coordinates":[[[[1,1],[1,2],[2,1]]],
-                [[[0,0],[9,0],[0,9],[0,0]],[[1,1],[1,2],[2,1]]]]}"#
-        ),
-        [Shape::Polygon(vec![hole.clone()]), Shape::Polygon(vec![outer, hole])]
-    );
-    assert_eq!(
-        shapes(
-            r#"{"type":"GeometryCollection","geometries":[{"type":"Point","coordinates":[1,2]},
-                {"type":"GeometryCollection","geometries":[{"type":"Point","coordinates":[3,4]}]}]}"#
-        ),
-        [p(1.0, 2.0), p(3.0, 4.0)]
-    );
-}
-
-#[test]
 fn members_may_come_in_any_order() {
     let polygon = [Shape::Polygon(vec![line(&[[1.0, 2.0]]), vec![], line(&[[3.0, 4.0]])])];
     assert_eq!(shapes(r#"{"coordinates":[[[1,2]],[],[[3,4]]],"type":"Polygon"}"#), polygon);
@@ -87,34 +53,6 @@ fn foreign_members_are_skipped_whatever_they_hold() {
             "geometry":{{"bbox":null,"type":"Point","foreign":[3],"coordinates":[1,2]}},"properties":{{"x":{{}}}}}}"#
     );
     assert_eq!(shapes(&text), [Shape::Point(Point { x: 1.0, y: 2.0 })]);
-}
-
-#[test]
-fn geometries_that_draw_nothing() {
-    for geometry in [
-        "null",
-        r#"{"type":"MultiPoint","coordinates":[]}"#,
-        r#"{"type":"LineString","coordinates":[]}"#,
-        r#"{"type":"MultiLineString","coordinates":[[],[]]}"#,
-        r#"{"type":"Polygon","coordinates":[]}"#,
-        r#"{"type":"MultiPolygon","coordinates":[]}"#,
-        r#"{"type":"GeometryCollection","geometries":[]}"#,
-    ] {
-        let (features, summary) = read(format!(r#"{{"type":"Feature","geometry":{geometry}}}"#)).unwrap();
-        assert_eq!(features, [Feature::default()], "{geometry}");
-        assert_eq!((summary.features, summary.without_geometry, summary.positions), (1, 1, 0), "{geometry}");
-    }
-    let (_, summary) = read(r#"{"type":"FeatureCollection","features":[{"type":"Feature"}]}"#).unwrap();
-    assert_eq!((summary.features, summary.without_geometry), (1, 1));
-    assert_eq!(read(r#"{"type":"FeatureCollection","features":[]}"#).unwrap(), (vec![], ReadSummary::default()));
-}
-
-#[test]
-fn extra_dimensions_are_dropped_and_counted() {
-    let text = r#"{"type":"MultiPoint","coordinates":[[1,2],[3,4,5],[6,7,8,9],[1,2]]}"#;
-    let (features, summary) = read(text).unwrap();
-    assert_eq!(features[0].shapes[2], Shape::Point(Point { x: 6.0, y: 7.0 }));
-    assert_eq!((summary.points, summary.positions, summary.with_extra_dimensions), (4, 4, 2));
 }
 
 #[test]
@@ -184,20 +122,6 @@ fn the_world() {
     let south_africa = features.iter().find(|feature| feature.name.as_deref() == Some("South Africa")).unwrap();
     let [Shape::Polygon(rings)] = &south_africa.shapes[..] else { panic!("South Africa is one polygon") };
     assert_eq!(rings.len(), 2);
-
-    let mut vertices = BTreeSet::new();
-    let mut edges = BTreeSet::new();
-    for shape in features.iter().flat_map(|feature| &feature.shapes) {
-        let Shape::Polygon(rings) = shape else { panic!("countries are polygons") };
-        for ring in rings {
-            let ends: Vec<_> = ring.iter().map(|p| (p.x.to_bits(), p.y.to_bits())).collect();
-            vertices.extend(ends.iter().copied());
-            // North Korea repeats a point, which is not an edge.
-            let steps = ends.windows(2).filter(|pair| pair[0] != pair[1]);
-            edges.extend(steps.map(|pair| (pair[0].min(pair[1]), pair[0].max(pair[1]))));
-        }
-    }
-    assert_eq!((vertices.len(), edges.len()), (7_493, 7_655));
 }
 
 // ---------------------------------------------------------------------------------------------------- refused input
@@ -299,35 +223,6 @@ fn io_errors() {
             assert_eq!(source.to_string(), "the line went dead");
         }
     }
-}
-
-/// A reader that returns one byte at a time, with an interruption before each.
-struct Slow<'a>(&'a [u8], bool);
-
-impl Read for Slow<'_> {
-    fn read(&mut self, out: &mut [u8]) -> io::Result<usize> {
-        self.1 = !self.1;
-        if self.1 {
-            return Err(io::ErrorKind::Interrupted.into());
-        }
-        let len = out.len().min(1);
-        self.0.read(&mut out[..len])
-    }
-}
-
-#[test]
-fn interruptions_and_small_reads_do_no_harm() {
-    let text = "\u{FEFF}{\"type\":\"LineString\",\"coordinates\":[[1,2],[3,4]]}";
-    let features = |reader: &mut dyn Read| {
-        let mut features = Vec::new();
-        read_parts(reader, Documents::One, |part| {
-            features.push(part);
-            Ok::<_, ReadError>(())
-        })
-        .unwrap();
-        features
-    };
-    assert_eq!(features(&mut Slow(text.as_bytes(), false)), features(&mut text.as_bytes()));
 }
 
 /// The outermost object is invalid. The messages are those of the `geojson` crate.
@@ -475,32 +370,4 @@ fn deep_nesting_is_an_error() {
     }
     let error = read("[".repeat(100_000)).unwrap_err();
     assert!(matches!(error.cause, ReadCause::Malformed { .. }) && error.feature.is_none(), "{error:?}");
-}
-
-#[derive(Debug)]
-enum Mine {
-    Read(ReadError),
-    Enough(usize),
-}
-
-impl From<ReadError> for Mine {
-    fn from(error: ReadError) -> Self {
-        Self::Read(error)
-    }
-}
-
-#[test]
-fn the_callback_can_stop_the_reading() {
-    // The text after the second feature is never read.
-    let text = r#"{"type":"FeatureCollection","features":[{"type":"Feature"},{"type":"Feature"},?"#;
-    let stop_at = |limit: usize| {
-        let mut count = 0;
-        read_parts(text.as_bytes(), Documents::One, |_| {
-            count += 1;
-            if count == limit { Err(Mine::Enough(count)) } else { Ok(()) }
-        })
-    };
-    assert!(matches!(stop_at(1), Err(Mine::Enough(1))));
-    assert!(matches!(stop_at(2), Err(Mine::Enough(2))));
-    assert!(matches!(stop_at(3), Err(Mine::Read(error)) if is_at(&error, at(1, 79))));
 }

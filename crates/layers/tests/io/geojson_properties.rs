@@ -1,16 +1,11 @@
 //! Laws of the reader of GeoJSON: written data is read back, and reading feature by feature makes no difference.
 
-use crate::read_geojson as read;
+use crate::{check, read_geojson as read};
 use geojson::{GeoJson, GeometryValue};
-use quickcheck::{Arbitrary, Gen, QuickCheck};
+use quickcheck::{Arbitrary, Gen};
 use twinedge_geometry::Point;
 use twinedge_layers::io::{ReadCause, ReadError};
 use twinedge_map::{Feature, Shape};
-
-/// A `QuickCheck` with a fixed seed.
-fn check(tests: u64, seed: u64) -> QuickCheck {
-    QuickCheck::new().tests(tests).rng(Gen::from_size_and_seed(8, seed))
-}
 
 /// A document, with the expected result of reading it.
 #[derive(Clone, Debug)]

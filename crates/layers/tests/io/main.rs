@@ -2,6 +2,7 @@
 #![allow(clippy::incompatible_msrv, reason = "the tests need the Rust version of their own dependencies")]
 #![allow(clippy::needless_pass_by_value, reason = "quickcheck hands its arguments over")]
 
+use quickcheck::{Gen, QuickCheck};
 use twinedge_layers::io::geojson::{Documents, read_parts};
 use twinedge_layers::io::{ReadError, ReadSummary};
 use twinedge_layers::{Format, ReadOptions, read_for_map};
@@ -23,4 +24,9 @@ fn options(format: Format) -> ReadOptions {
 fn read_geojson(text: impl AsRef<[u8]>) -> Result<(Vec<Feature>, ReadSummary), ReadError> {
     read_parts(text.as_ref(), Documents::One, |_| Ok::<_, ReadError>(()))?;
     Ok(read_for_map(&mut text.as_ref(), &options(Format::GeoJson)).expect("its parts were read"))
+}
+
+/// A `QuickCheck` with a fixed seed.
+fn check(tests: u64, seed: u64) -> QuickCheck {
+    QuickCheck::new().tests(tests).rng(Gen::from_size_and_seed(8, seed))
 }

@@ -4,7 +4,7 @@ use std::io::{self, Read};
 
 use twinedge_geometry::Point;
 use twinedge_layers::io::geojson::{Documents, read_parts};
-use twinedge_layers::io::{ForeignFormat, Format, ReadCause, ReadError as TextError, ReadSummary, TextPlace};
+use twinedge_layers::io::{ForeignFormat, Format, ReadCause, ReadError as TextError, ReadSummary, TextPlace, wkt};
 use twinedge_layers::{ReadError, ReadOptions, format_of, read_for_map};
 use twinedge_map::{Feature, Shape};
 
@@ -72,12 +72,22 @@ fn the_content_tells_the_format() {
 }
 
 #[test]
+fn a_map_longer_than_what_is_looked_at() {
+    let text = POINT.to_owned() + &"\n".repeat(100_000) + POINT;
+    assert_eq!(all(&text, Some(Format::GeoJsonSeq)).unwrap().0.len(), 2);
+    assert_eq!(all("POINT(1 2)\n".repeat(10_000), None).unwrap().0.len(), 10_000);
+}
+
+#[test]
 fn each_format_is_read() {
     let point = Shape::Point(Point::new(1.0, 2.0));
     let two = format!("{POINT}\n{POINT}");
-    for (text, format, count) in
-        [(POINT, Format::GeoJson, 1), (&two, Format::GeoJsonSeq, 2), ("POINT(1 2)\nPOINT(1 2)", Format::Wkt, 2)]
-    {
+    for (text, format, count) in [
+        (POINT, Format::GeoJson, 1),
+        (&two, Format::GeoJsonSeq, 2),
+        ("POINT(1 2)\nPOINT(1 2)", Format::Wkt, 2),
+        ("0101000000000000000000F03F0000000000000040", Format::Wkb, 1),
+    ] {
         for given in [None, Some(format)] {
             let (features, summary) = all(text, given).unwrap();
             assert_eq!((features.len(), summary.points), (count, count), "{text}");
@@ -92,11 +102,123 @@ fn each_format_is_read() {
     );
 }
 
+// ---------------------------------------------------------------------------- what GeoJSON and text have in common
+
+/// Returns the features of the geometry as GeoJSON, whose beginning is left out, and as well-known text.
+fn in_both(geojson: &str, wkt: &str) -> [(Vec<Feature>, ReadSummary); 2] {
+    let geojson = format!("{{\"type\":{geojson}}}");
+    [(&*geojson, Format::GeoJson), (wkt, Format::Wkt)].map(|(text, format)| all(text, Some(format)).unwrap())
+}
+
 #[test]
-fn a_map_longer_than_what_is_looked_at() {
-    let text = POINT.to_owned() + &"\n".repeat(100_000) + POINT;
-    assert_eq!(all(&text, Some(Format::GeoJsonSeq)).unwrap().0.len(), 2);
-    assert_eq!(all("POINT(1 2)\n".repeat(10_000), None).unwrap().0.len(), 10_000);
+fn every_kind_of_geometry() {
+    let p = |x, y| Shape::Point(Point { x, y });
+    let line = |points: &[[f64; 2]]| points.iter().map(|&point| point.into()).collect::<Vec<Point>>();
+    let long = Shape::Line(line(&[[1.0, 2.0], [3.0, 4.0]]));
+    let outer = line(&[[0.0, 0.0], [9.0, 0.0], [0.0, 9.0], [0.0, 0.0]]);
+    let hole = line(&[[1.0, 1.0], [1.0, 2.0], [2.0, 1.0]]);
+    let polygon = Shape::Polygon(vec![outer, hole.clone()]);
+    for (geojson, wkt, expected) in [
+        (r#""Point","coordinates":[1,-2.5]"#, "POINT (1 -2.5)", vec![p(1.0, -2.5)]),
+        (r#""MultiPoint","coordinates":[[1,2],[3,4]]"#, "multipoint((1 2),(3 4))", vec![p(1.0, 2.0), p(3.0, 4.0)]),
+        (r#""MultiPoint","coordinates":[[1,2],[3e0,0.4]]"#, "MULTIPOINT(1 2,+3e0 .4)", vec![p(1.0, 2.0), p(3.0, 0.4)]),
+        (r#""LineString","coordinates":[[1,2],[3,4]]"#, "LineString(1 2,3 4)", vec![long.clone()]),
+        (
+            r#""MultiLineString","coordinates":[[[1,2],[3,4]],[[5,6]]]"#,
+            "MULTILINESTRING((1 2,3 4),(5 6))",
+            vec![long, Shape::Line(line(&[[5.0, 6.0]]))],
+        ),
+        (
+            r#""Polygon","coordinates":[[[0,0],[9,0],[0,9],[0,0]],[[1,1],[1,2],[2,1]]]"#,
+            "POLYGON((0 0,9 0,0 9,0 0),(1 1,1 2,2 1))",
+            vec![polygon.clone()],
+        ),
+        (
+            r#""MultiPolygon","coordinates":[[[[1,1],[1,2],[2,1]]],[[[0,0],[9,0],[0,9],[0,0]],[[1,1],[1,2],[2,1]]]]"#,
+            "MULTIPOLYGON(((1 1,1 2,2 1)),((0 0,9 0,0 9,0 0),(1 1,1 2,2 1)))",
+            vec![Shape::Polygon(vec![hole]), polygon],
+        ),
+        (
+            r#""GeometryCollection","geometries":[{"type":"Point","coordinates":[1,2]},
+                {"type":"GeometryCollection","geometries":[{"type":"Point","coordinates":[3,4]}]}]"#,
+            "GEOMETRYCOLLECTION(POINT(1 2),GEOMETRYCOLLECTION(POINT(3 4)))",
+            vec![p(1.0, 2.0), p(3.0, 4.0)],
+        ),
+    ] {
+        for (features, _) in in_both(geojson, wkt) {
+            assert_eq!(features, [Feature { shapes: expected.clone(), ..Feature::default() }], "{wkt}");
+        }
+    }
+}
+
+#[test]
+fn geometries_that_draw_nothing() {
+    for (geojson, wkt) in [
+        (r#""Feature","geometry":null"#, "POINT EMPTY"),
+        (r#""Feature""#, "point z empty"),
+        (r#""MultiPoint","coordinates":[]"#, "MULTIPOINT EMPTY"),
+        (r#""LineString","coordinates":[]"#, "LINESTRING EMPTY"),
+        (r#""MultiLineString","coordinates":[[],[]]"#, "MULTILINESTRING(EMPTY,EMPTY)"),
+        (r#""Polygon","coordinates":[]"#, "POLYGON EMPTY"),
+        (r#""MultiPolygon","coordinates":[]"#, "MULTIPOLYGON(EMPTY)"),
+        (r#""GeometryCollection","geometries":[]"#, "GEOMETRYCOLLECTION EMPTY"),
+        (r#""FeatureCollection","features":[{"type":"Feature"}]"#, "GEOMETRYCOLLECTION(POINT EMPTY)"),
+    ] {
+        for (features, summary) in in_both(geojson, wkt) {
+            assert_eq!(features, [Feature::default()], "{wkt}");
+            assert_eq!((summary.features, summary.without_geometry, summary.positions), (1, 1, 0), "{wkt}");
+        }
+    }
+}
+
+#[test]
+fn extra_dimensions_are_dropped_and_counted() {
+    let geojson = r#""LineString","coordinates":[[1,2,7],[3,4,7,8]]"#;
+    for wkt in ["LINESTRING Z(1 2 7,3 4 7)", "LINESTRINGM(1 2 7,3 4 7)", "LINESTRING ZM (1 2 7 8,3 4 7 8)"] {
+        for (features, summary) in in_both(geojson, wkt) {
+            let line = vec![Point::new(1.0, 2.0), Point::new(3.0, 4.0)];
+            assert_eq!(features[0].shapes, [Shape::Line(line)], "{wkt}");
+            assert_eq!((summary.positions, summary.with_extra_dimensions), (2, 2), "{wkt}");
+        }
+    }
+    let (_, summary) = all(r#"{"type":"MultiPoint","coordinates":[[1,2],[3,4,5],[6,7,8,9],[1,2]]}"#, None).unwrap();
+    assert_eq!((summary.points, summary.positions, summary.with_extra_dimensions), (4, 4, 2));
+}
+
+#[derive(Debug)]
+enum Mine {
+    Read(TextError),
+    Enough(usize),
+}
+
+impl From<TextError> for Mine {
+    fn from(error: TextError) -> Self {
+        Self::Read(error)
+    }
+}
+
+#[test]
+fn the_callback_can_stop_the_reading() {
+    // The text after the second feature is never read.
+    let geojson = r#"{"type":"FeatureCollection","features":[{"type":"Feature"},{"type":"Feature"},?"#;
+    let text = "POINT(1 2)\nPOINT(1 2)\nnonsense";
+    for (is_wkt, place) in [(false, TextPlace { line: 1, column: Some(79) }), (true, TextPlace::line(3))] {
+        let stop_at = |limit: usize| {
+            let mut count = 0;
+            let mut next = || {
+                count += 1;
+                if count == limit { Err(Mine::Enough(count)) } else { Ok(()) }
+            };
+            if is_wkt {
+                wkt::read_geometries(text.as_bytes(), |_| next())
+            } else {
+                read_parts(geojson.as_bytes(), Documents::One, |_| next())
+            }
+        };
+        assert!(matches!(stop_at(1), Err(Mine::Enough(1))));
+        assert!(matches!(stop_at(2), Err(Mine::Enough(2))));
+        assert!(matches!(stop_at(3), Err(Mine::Read(error)) if error.place == place && error.feature.is_none()));
+    }
 }
 
 // ------------------------------------------------------------------------------------------------------- sequences
@@ -258,6 +380,11 @@ fn a_failing_reader() {
             other => panic!("{other:?}"),
         };
         assert_eq!(source.kind(), io::ErrorKind::ConnectionReset);
+    }
+    for (text, expected) in [("", 1), ("POINT(1 2)", 1), ("POINT(1 2)\n", 2), ("\n\nPOIN", 3)] {
+        let error = wkt::read_geometries(Broken(text.as_bytes()), |_| Ok::<_, TextError>(())).unwrap_err();
+        let ReadCause::Io(source) = error.cause else { panic!("{:?}", error.cause) };
+        assert_eq!((error.place, source.kind()), (TextPlace::line(expected), io::ErrorKind::ConnectionReset), "{text}");
     }
 }
 

@@ -1,8 +1,7 @@
 //! Text that the reader of well-known text accepts or refuses, and the line of each error.
 
-use std::io::{self, Read};
-
-use quickcheck::{Arbitrary, Gen, QuickCheck};
+use crate::check;
+use quickcheck::{Arbitrary, Gen};
 use twinedge_geometry::Point;
 use twinedge_layers::io::{MAX_NESTED_COLLECTIONS, ReadCause, ReadError, ReadSummary, TextPlace, wkt};
 use twinedge_layers::{Format, read_for_map, to_map};
@@ -33,29 +32,6 @@ fn shapes(text: &str) -> Vec<Shape> {
     features.into_iter().next().unwrap().shapes
 }
 
-fn line(points: &[[f64; 2]]) -> Vec<Point> {
-    points.iter().map(|&point| point.into()).collect()
-}
-
-#[test]
-fn every_kind_of_geometry() {
-    let p = |x, y| Shape::Point(Point { x, y });
-    assert_eq!(shapes("POINT (1 -2.5)"), [p(1.0, -2.5)]);
-    assert_eq!(shapes("multipoint((1 2),(3 4))"), [p(1.0, 2.0), p(3.0, 4.0)]);
-    assert_eq!(shapes("MULTIPOINT(1 2,+3e0 .4)"), [p(1.0, 2.0), p(3.0, 0.4)]);
-    let long = line(&[[1.0, 2.0], [3.0, 4.0]]);
-    assert_eq!(shapes("LineString(1 2,3 4)"), [Shape::Line(long.clone())]);
-    assert_eq!(shapes("MULTILINESTRING((1 2,3 4),(5 6))"), [Shape::Line(long), Shape::Line(line(&[[5.0, 6.0]]))]);
-    let outer = line(&[[0.0, 0.0], [9.0, 0.0], [0.0, 9.0], [0.0, 0.0]]);
-    let hole = line(&[[1.0, 1.0], [1.0, 2.0], [2.0, 1.0]]);
-    assert_eq!(shapes("POLYGON((0 0,9 0,0 9,0 0),(1 1,1 2,2 1))"), [Shape::Polygon(vec![outer.clone(), hole.clone()])]);
-    assert_eq!(
-        shapes("MULTIPOLYGON(((1 1,1 2,2 1)),((0 0,9 0,0 9,0 0),(1 1,1 2,2 1)))"),
-        [Shape::Polygon(vec![hole.clone()]), Shape::Polygon(vec![outer, hole])]
-    );
-    assert_eq!(shapes("GEOMETRYCOLLECTION(POINT(1 2),GEOMETRYCOLLECTION(POINT(3 4)))"), [p(1.0, 2.0), p(3.0, 4.0)]);
-}
-
 #[test]
 fn lines_without_a_geometry_are_skipped() {
     let text = "\u{FEFF}# parcels\r\n\r\n  POINT(1 2)  \r\n\t\n # another\nPOINT(3 4)";
@@ -65,34 +41,6 @@ fn lines_without_a_geometry_are_skipped() {
     assert_eq!((summary.features, summary.points, summary.positions), (2, 2, 2));
     assert_eq!(read("").unwrap(), (vec![], ReadSummary::default()));
     assert_eq!(read("\n\n#\n").unwrap(), (vec![], ReadSummary::default()));
-}
-
-#[test]
-fn geometries_that_draw_nothing() {
-    for text in [
-        "POINT EMPTY",
-        "point z empty",
-        "MULTIPOINT EMPTY",
-        "LINESTRING EMPTY",
-        "MULTILINESTRING(EMPTY,EMPTY)",
-        "POLYGON EMPTY",
-        "MULTIPOLYGON(EMPTY)",
-        "GEOMETRYCOLLECTION EMPTY",
-        "GEOMETRYCOLLECTION(POINT EMPTY)",
-    ] {
-        let (features, summary) = read(text).unwrap();
-        assert_eq!(features, [Feature::default()], "{text}");
-        assert_eq!((summary.features, summary.without_geometry, summary.positions), (1, 1, 0), "{text}");
-    }
-}
-
-#[test]
-fn extra_dimensions_are_dropped_and_counted() {
-    for text in ["LINESTRING Z(1 2 7,3 4 7)", "LINESTRINGM(1 2 7,3 4 7)", "LINESTRING ZM (1 2 7 8,3 4 7 8)"] {
-        let (features, summary) = read(text).unwrap();
-        assert_eq!(features[0].shapes, [Shape::Line(line(&[[1.0, 2.0], [3.0, 4.0]]))], "{text}");
-        assert_eq!((summary.positions, summary.with_extra_dimensions), (2, 2), "{text}");
-    }
 }
 
 #[test]
@@ -150,36 +98,11 @@ fn fault_of(text: impl AsRef<[u8]>) -> ReadCause {
 
 #[test]
 fn syntax() {
-    for text in [
-        "POINT",
-        "POINT(",
-        "POINT(1)",
-        "POINT(1 2",
-        "POINT((1 2))",
-        "POINT(1 2 3 4 5)",
-        "LINESTRING(1 2 3,4 5)",
-        "POINT(1 2, 3 4)",
-        "POINT(1 x)",
-        "POLYGON(0 0,1 0,1 1)",
-        "POLYGON((0 0,1 0,1 1)",
-        "LINESTRING(1 2,)",
-        "LINESTRING()",
-        "CIRCLE(1 2)",
-        "GEOMETRYCOLLECTION(1 2)",
-        "SRID=;POINT(1 2)",
-        "SRID=4326",
-        "SRID=4326;",
-        "SRID=x;POINT(1 2)",
-        "SRID=-1;POINT(1 2)",
-        "(1 2)",
-        "EMPTY",
-        "POINT EMPTY,",
-        "POINT EMPTY)",
-        "POINT EMPTY\0",
-        "42",
-        "Ünsinn(1 2)",
-        "{\"type\":\"Point\"}",
-    ] {
+    let texts = "POINT|POINT(|POINT(1)|POINT(1 2|POINT((1 2))|POINT(1 2 3 4 5)|LINESTRING(1 2 3,4 5)|POINT(1 2, 3 4)|\
+        POINT(1 x)|POLYGON(0 0,1 0,1 1)|POLYGON((0 0,1 0,1 1)|LINESTRING(1 2,)|LINESTRING()|CIRCLE(1 2)|\
+        GEOMETRYCOLLECTION(1 2)|SRID=;POINT(1 2)|SRID=4326|SRID=4326;|SRID=x;POINT(1 2)|SRID=-1;POINT(1 2)|\
+        (1 2)|EMPTY|POINT EMPTY,|POINT EMPTY)|POINT EMPTY\0|42|Ünsinn(1 2)|{\"type\":\"Point\"}";
+    for text in texts.split('|') {
         let error = fault_of(text);
         assert!(matches!(error, ReadCause::Syntax { .. }), "{text}: {error:?}");
     }
@@ -188,17 +111,9 @@ fn syntax() {
 
 #[test]
 fn trailing() {
-    for text in [
-        "POINT(1 2) x",
-        "POINT(1 2))",
-        "POINT(1 2),POINT(3 4)",
-        "POINT(1 2) POINT(3 4)",
-        "POINT(1 2)\0",
-        "POINT EMPTY EMPTY",
-        "POINT EMPTY(1 2)",
-        "POINT(1 2);SRID=4326",
-        "POINT EMPTY POINT(1 2)",
-    ] {
+    let texts = "POINT(1 2) x|POINT(1 2))|POINT(1 2),POINT(3 4)|POINT(1 2) POINT(3 4)|POINT(1 2)\0|POINT EMPTY EMPTY|\
+        POINT EMPTY(1 2)|POINT(1 2);SRID=4326|POINT EMPTY POINT(1 2)";
+    for text in texts.split('|') {
         let error = fault_of(text);
         assert!(matches!(error, ReadCause::Trailing { .. }), "{text}: {error:?}");
     }
@@ -234,53 +149,6 @@ fn deep_nesting_is_an_error() {
         }
     }
     assert!(matches!(fault_of("POINT".to_owned() + &"(".repeat(100_000)), ReadCause::TooDeep));
-}
-
-/// A reader that fails at the end of the text.
-struct Broken<'a>(&'a [u8]);
-
-impl Read for Broken<'_> {
-    fn read(&mut self, out: &mut [u8]) -> io::Result<usize> {
-        match self.0.read(out)? {
-            0 => Err(io::Error::new(io::ErrorKind::ConnectionReset, "the line went dead")),
-            some => Ok(some),
-        }
-    }
-}
-
-#[test]
-fn io_errors() {
-    for (text, expected) in [("", 1), ("POINT(1 2)", 1), ("POINT(1 2)\n", 2), ("\n\nPOIN", 3)] {
-        let error = wkt::read_geometries(Broken(text.as_bytes()), |_| Ok::<_, ReadError>(())).unwrap_err();
-        let ReadCause::Io(source) = error.cause else { panic!("{:?}", error.cause) };
-        assert_eq!((error.place, source.kind()), (TextPlace::line(expected), io::ErrorKind::ConnectionReset), "{text}");
-    }
-}
-
-#[derive(Debug, PartialEq)]
-enum Mine {
-    Read(usize),
-    Enough,
-}
-
-impl From<ReadError> for Mine {
-    fn from(error: ReadError) -> Self {
-        assert!(matches!(error.cause, ReadCause::Syntax { .. }), "{error:?}");
-        Self::Read(error.place.line)
-    }
-}
-
-#[test]
-fn the_callback_can_stop_the_reading() {
-    let stop_at = |limit: usize| {
-        let mut count = 0;
-        wkt::read_geometries(&b"POINT(1 2)\nPOINT(1 2)\nnonsense"[..], |_| {
-            count += 1;
-            if count == limit { Err(Mine::Enough) } else { Ok(()) }
-        })
-    };
-    assert_eq!(stop_at(2), Err(Mine::Enough));
-    assert_eq!(stop_at(3), Err(Mine::Read(3)));
 }
 
 /// The shapes of one line, and the line.
@@ -323,11 +191,6 @@ impl Arbitrary for Written {
         };
         Self { shapes, text }
     }
-}
-
-/// A `QuickCheck` with a fixed seed.
-fn check(tests: u64, seed: u64) -> QuickCheck {
-    QuickCheck::new().tests(tests).rng(Gen::from_size_and_seed(8, seed))
 }
 
 #[test]

@@ -2,22 +2,7 @@
 
 use crate::support::{from_bytes, from_text, scratch, write_as};
 use twinedge_layers::io::ForeignFormat;
-use twinedge_layers::{ArchiveError, Format, ReadError, ReadOptions, Shape, WriteError, format_of, read, read_path};
-
-#[test]
-fn content_tells_the_format_of_a_stream() {
-    assert_eq!(from_text("POINT(1 2)").features.len(), 1);
-    assert_eq!(
-        from_text("{\"type\":\"Point\",\"coordinates\":[1,2]}\n{\"type\":\"Point\",\"coordinates\":[3,4]}")
-            .features
-            .len(),
-        2
-    );
-    let point = from_text("0101000000000000000000F03F0000000000000040");
-    assert!(
-        matches!(&point.features[0].geometry.as_ref().unwrap().shape, Shape::Point(Some(p)) if (p.x, p.y) == (1.0, 2.0))
-    );
-}
+use twinedge_layers::{ArchiveError, Format, ReadError, ReadOptions, WriteError, format_of, read, read_path};
 
 #[test]
 fn a_missing_feature_is_named_with_the_flag_of_the_program() {
@@ -53,14 +38,6 @@ fn binary_content_is_what_it_is_whatever_the_name() {
     // The reader looks for a Shapefile of that name, which does not exist.
     let error = read_path(&path, &ReadOptions::default()).unwrap_err().to_string();
     assert!(error.contains("parcels.shp is missing"), "{error}");
-}
-
-#[test]
-fn what_is_not_read_is_named_with_what_to_do() {
-    assert!(matches!(from_bytes(b" \n"), Err(ReadError::Empty)));
-    assert!(matches!(from_bytes(b"id,name\n1,a"), Err(ReadError::Unrecognised)));
-    let error = from_bytes(b"ARROW1..").unwrap_err().to_string();
-    assert!(error.contains("Arrow") && error.contains("ogr2ogr"), "{error}");
 }
 
 #[test]

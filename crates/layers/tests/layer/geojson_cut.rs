@@ -104,7 +104,7 @@ fn wrong_texts_have_the_errors_and_places_of_byte_by_byte() {
     const BYTES: &[u8] = b"{}[]\",:\\ \n0-e.tn\x00\xff";
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
     let (mut judged, mut failed) = (0, 0);
-    for round in 0..6_000 {
+    for round in 0..2_500 {
         let mut text = TEXTS[round % TEXTS.len()].as_bytes().to_vec();
         for _ in 0..=random.below(2) {
             let at = random.below(text.len());
@@ -133,7 +133,7 @@ fn wrong_texts_have_the_errors_and_places_of_byte_by_byte() {
             failed += usize::from(whole(&text[..]).1.is_some());
         }
     }
-    assert!(judged > 4_500 && failed > 3_000, "{judged} {failed}");
+    assert!(judged > 1_800 && failed > 1_250, "{judged} {failed}");
 }
 
 /// A text longer than the beginning that decides the format.
@@ -166,6 +166,10 @@ fn pieces_and_failures_of_the_reader_are_as_byte_by_byte() {
             }
         }
     }
+    // A byte order mark may be torn apart.
+    let marked = TEXTS[2].as_bytes();
+    let bytes = Pieces { bytes: marked, piece: 1, fails: false, was_interrupted: false };
+    assert_eq!(byte_by_byte(bytes), byte_by_byte(marked));
 }
 
 #[test]

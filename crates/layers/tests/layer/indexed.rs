@@ -17,6 +17,9 @@ use twinedge_layers::{
 
 const ACROSS: u32 = 40;
 
+/// The window over the whole plane.
+const EVERYTHING: [f64; 4] = [f64::NEG_INFINITY, f64::NEG_INFINITY, f64::INFINITY, f64::INFINITY];
+
 /// The square with this number, with 40 in a row.
 fn square(number: u32) -> [f64; 4] {
     let [x, y] = [number % ACROSS, number / ACROSS].map(f64::from);
@@ -144,9 +147,8 @@ fn a_window_has_the_features_whose_boxes_meet_it() {
             let expected: Vec<u64> = (0..1600).filter(meets).map(u64::from).collect();
             assert_eq!(found(&mut file, window, &layer).unwrap(), expected, "{} {window:?}", path.display());
         }
-        let everything = [f64::NEG_INFINITY, f64::NEG_INFINITY, f64::INFINITY, f64::INFINITY];
         let before = file.amount();
-        assert_eq!(found(&mut file, everything, &layer).unwrap().len(), 1600);
+        assert_eq!(found(&mut file, EVERYTHING, &layer).unwrap().len(), 1600);
         // The four windows were a small part of the file.
         let all = file.amount().bytes - before.bytes;
         assert!(before.bytes * 100 < all * most * 4, "{} of {all}", before.bytes);
@@ -354,8 +356,7 @@ fn an_index_in_another_order_is_refused() {
         damaged[leaf(a) + 32..leaf(a) + 40].copy_from_slice(&other);
         damaged[leaf(b) + 32..leaf(b) + 40].copy_from_slice(&one);
         fs::write(&path, damaged).unwrap();
-        let everything = [f64::NEG_INFINITY, f64::NEG_INFINITY, f64::INFINITY, f64::INFINITY];
-        let error = found(&mut open(&path), everything, &layer).unwrap_err().to_string();
+        let error = found(&mut open(&path), EVERYTHING, &layer).unwrap_err().to_string();
         assert!(error.contains("the index does not list the features in their order"), "{error}");
     }
     // An additional feature at the beginning: all others would have false numbers.
@@ -382,8 +383,7 @@ fn what_gdal_and_geopandas_wrote_has_windows() {
         let path = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/layer/data")).join(name);
         let layer = read(&path).unwrap();
         let mut file = open(&path);
-        let everything = [f64::NEG_INFINITY, f64::NEG_INFINITY, f64::INFINITY, f64::INFINITY];
-        assert_eq!(found(&mut file, everything, &layer).unwrap(), [0, 1], "{name}");
+        assert_eq!(found(&mut file, EVERYTHING, &layer).unwrap(), [0, 1], "{name}");
         let corners = file.corners().unwrap();
         let far = [corners[1].x + 1.0, corners[1].y + 1.0, f64::INFINITY, f64::INFINITY];
         assert!(
@@ -404,8 +404,7 @@ fn windows_are_read_by_the_statistics_of_parquets_own_geometries() {
     let mut file = open(path);
     assert_eq!(file.header().unwrap().crs.unwrap().code, Some(("EPSG".to_owned(), 2056)));
     assert_eq!(file.corners(), Some([Point::new(0.0, 0.0), Point::new(8.0, 8.0)]));
-    let everything = [f64::NEG_INFINITY, f64::NEG_INFINITY, f64::INFINITY, f64::INFINITY];
-    assert_eq!(found(&mut file, everything, &layer).unwrap().len(), 64);
+    assert_eq!(found(&mut file, EVERYTHING, &layer).unwrap().len(), 64);
     let all = file.amount().bytes;
     for group in 0..4_u32 {
         // In the second row of the group.

@@ -196,20 +196,6 @@ fn a_ring_whose_first_point_has_no_measure_is_closed_once() {
     assert_eq!(rings[0].len(), 4);
 }
 
-#[test]
-fn heights_and_measures_come_back() {
-    for text in [
-        "LINESTRING Z(0 0 1,1 1 2)\n",
-        "LINESTRING M(0 0 1,1 1 2)\n",
-        "LINESTRING ZM(0 0 1 5,1 1 2 6)\n",
-        "POINT ZM(0 0 1 5)\n",
-        "MULTIPOINT Z((0 0 1),(1 1 2))\n",
-    ] {
-        let layer = from_text(text);
-        assert_eq!(through(&layer, Format::Shapefile).features[0].geometry, layer.features[0].geometry, "{text}");
-    }
-}
-
 /// GDAL wrote more digits of the flattening than Esri, and before version 3 fewer of the degree.
 #[test]
 fn definitions_with_other_digits_are_those_of_the_epsg() {

@@ -1,6 +1,7 @@
 //! Edits validated one by one: the verdict, the recorded writes, and the reads.
 
 use crate::support::changes::difference;
+use crate::support::drawn::crossing;
 use crate::support::edits::EvenEdits;
 use quickcheck::{Arbitrary, Gen};
 use std::cell::Cell;
@@ -14,7 +15,7 @@ use twinedge_geometry::noding::Snap;
 use twinedge_map::edit::EditError;
 use twinedge_map::near::{EmbeddingBaseline, validate_embedding_near};
 use twinedge_map::program::EditRunner;
-use twinedge_map::{Builder, Embedding, Noding, PlanarMap};
+use twinedge_map::{Builder, Embedding, PlanarMap};
 
 #[test]
 fn an_audited_runner_does_what_another_does() {
@@ -93,14 +94,6 @@ fn what_is_written_is_noted() {
         assert!(audited.into_inner().validate().is_valid());
     }
     assert!(applied > 800 && refused > 100, "{applied}, {refused}");
-}
-
-/// A map of two segments that cross.
-fn crossing() -> PlanarMap {
-    let mut builder = Builder::new();
-    builder.segment([0.0, 0.0], [2.0, 2.0]).unwrap();
-    builder.segment([0.0, 2.0], [2.0, 0.0]).unwrap();
-    builder.build_with(Noding::None).unwrap()
 }
 
 #[test]

@@ -1,8 +1,8 @@
 //! Certificates of drawings: a drawing without crossings has a certificate that passes, and nothing else has.
 
-use crate::support::drawn::{Drawn, moved_inner};
-use crate::support::embeddings::validate_embedding;
+use crate::support::drawn::{Drawn, moved_inner, validate_embedding};
 use std::cell::Cell;
+use twinedge::program::choose::{Choose, Random};
 use twinedge::validate::{Collect, Expectation, HalfEdgeRow, Link, Parts, Table, View};
 use twinedge_certificate::{Column, Columns, Drawing, Labels, Test, check_drawing};
 use twinedge_geometry::Point;
@@ -27,32 +27,22 @@ impl Drawn {
     }
 }
 
-/// Pseudo-random numbers.
-struct Numbers(u64);
-
-impl Numbers {
-    fn below(&mut self, end: usize) -> usize {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 33) as usize % end.max(1)
-    }
-
-    fn point(&mut self, side: usize) -> [f64; 2] {
-        [self.below(side) as f64, self.below(side) as f64]
-    }
+fn point(random: &mut Random, side: usize) -> [f64; 2] {
+    [(); 2].map(|()| random.choose(side) as f64)
 }
 
 /// A plane map of segments, rings and points on a grid of `side` lines.
-fn random_map(numbers: &mut Numbers, side: usize, segments: usize) -> PlanarMap {
+fn random_map(random: &mut Random, side: usize, segments: usize) -> PlanarMap {
     let mut builder = Builder::new();
     for _ in 0..segments {
-        let (from, to) = (numbers.point(side), numbers.point(side));
+        let (from, to) = (point(random, side), point(random, side));
         if Point::from(from) != Point::from(to) {
             builder.segment(from, to).unwrap();
         }
     }
     let mut map = builder.build_with(Noding::Snap(Snap::Size(1.0))).unwrap();
-    for _ in 0..numbers.below(3) {
-        let _ = map.insert_point(numbers.point(side));
+    for _ in 0..random.choose(3) {
+        let _ = map.insert_point(point(random, side));
     }
     map
 }
@@ -60,10 +50,10 @@ fn random_map(numbers: &mut Numbers, side: usize, segments: usize) -> PlanarMap 
 #[test]
 fn moved_vertices_are_judged_as_by_the_rules() {
     let (mut valid, mut broken) = (0, 0);
-    let mut numbers = Numbers(1);
+    let mut random = Random::seeded(1);
     for _ in 0..150 {
-        let segments = numbers.below(5);
-        let map = Drawn::of(&random_map(&mut numbers, 4, segments));
+        let segments = random.choose(5);
+        let map = Drawn::of(&random_map(&mut random, 4, segments));
         assert!(map.is_valid());
         let drawing = draw(&map).unwrap();
         assert!(map.passes(&drawing), "{}", map.structure);
@@ -93,9 +83,9 @@ fn moved_vertices_are_judged_as_by_the_rules() {
 #[test]
 fn other_topologies_on_the_same_points_are_judged_as_by_the_rules() {
     let (mut valid, mut broken) = (0, 0);
-    let mut numbers = Numbers(2);
+    let mut random = Random::seeded(2);
     for _ in 0..150 {
-        let map = Drawn::of(&random_map(&mut numbers, 5, 4));
+        let map = Drawn::of(&random_map(&mut random, 5, 4));
         let drawing = draw(&map).unwrap();
         let mut judge = |other: &Drawn| {
             let is_valid = other.is_valid();
@@ -122,11 +112,7 @@ fn other_topologies_on_the_same_points_are_judged_as_by_the_rules() {
 /// vertex changes, so nothing invalid can be certified; the tests must detect the values with another meaning.
 #[test]
 fn a_changed_entry_is_found_or_as_good() {
-    let mut builder = Builder::new();
-    for corners in [[[0.0, 0.0], [6.0, 0.0], [0.0, 6.0]], [[1.0, 1.0], [2.0, 1.0], [1.0, 2.0]]] {
-        builder.shape(&twinedge_map::Shape::polygon(corners)).unwrap();
-    }
-    let mut map = builder.build().unwrap();
+    let mut map = triangles();
     map.insert_point([7.0, 7.0]).unwrap();
     let labels = Labels::new(&map).unwrap();
     let drawing = draw(&map).unwrap();
@@ -206,7 +192,7 @@ fn what_has_no_certificate_is_an_error() {
     let largest = (1_u64 << 51) as f64;
     assert_eq!(drawn([-largest, largest], [largest, 1.0]), Ok(()));
     assert_eq!(drawn([-largest - 1.0, 0.0], [largest, 1.0]), Err(DrawingError::NoGrid));
-    let mut map = Drawn::of(&random_map(&mut Numbers(3), 4, 3));
+    let mut map = Drawn::of(&random_map(&mut Random::seeded(3), 4, 3));
     map.points.iter_mut().for_each(|point| *point = Point::new(1.0, 1.0));
     assert_eq!(draw(&map), Err(DrawingError::NotPlane));
     map.points[1].x = f64::NAN;
@@ -227,7 +213,7 @@ fn bends_are_asked_of_the_half_edge_with_the_smaller_index() {
 /// Columns of other lengths, missing points, and coordinates out of range are unreadable.
 #[test]
 fn what_is_unreadable_is_not_tested() {
-    let map = random_map(&mut Numbers(4), 5, 4);
+    let map = random_map(&mut Random::seeded(4), 5, 4);
     let labels = Labels::new(&map).unwrap();
     let drawing = draw(&map).unwrap();
     let is_unreadable = |changed: &Drawing| {
@@ -260,12 +246,16 @@ fn set(drawing: &mut Drawing, column: Column, i: usize, value: u32) {
 }
 
 /// Two triangles, one in the other.
-fn nested() -> (Drawn, Labels, Drawing) {
+fn triangles() -> PlanarMap {
     let mut builder = Builder::new();
     for corners in [[[0.0, 0.0], [6.0, 0.0], [0.0, 6.0]], [[1.0, 1.0], [2.0, 1.0], [1.0, 2.0]]] {
         builder.shape(&twinedge_map::Shape::polygon(corners)).unwrap();
     }
-    let map = Drawn::of(&builder.build().unwrap());
+    builder.build().unwrap()
+}
+
+fn nested() -> (Drawn, Labels, Drawing) {
+    let map = Drawn::of(&triangles());
     let (labels, drawing) = (Labels::new(&map.structure).unwrap(), draw(&map).unwrap());
     (map, labels, drawing)
 }
@@ -344,20 +334,10 @@ fn a_half_edge_lies_on_one_dart() {
 fn a_half_edge_starts_where_its_dart_starts() {
     let (mut map, labels, drawing) = nested();
     let live: Vec<usize> = (0..map.points.len()).filter(|v| map.is_vertex(*v)).collect();
-    let corner = |i: usize| live[i];
-    let inner: Vec<usize> =
-        (0..live.len()).map(corner).filter(|v| map.points[*v].x.max(map.points[*v].y) < 3.0).collect();
+    let inner: Vec<usize> = live.into_iter().filter(|v| map.points[*v].x.max(map.points[*v].y) < 3.0).collect();
     let [u, v] = [inner[1], inner[2]];
     for row in map.structure.half_edges.iter_mut().flatten() {
-        row.origin = row.origin.map(|origin| {
-            if origin == u {
-                v
-            } else if origin == v {
-                u
-            } else {
-                origin
-            }
-        });
+        row.origin = row.origin.map(|origin| if [u, v].contains(&origin) { u + v - origin } else { origin });
     }
     map.structure.vertices.swap(u, v);
     assert_eq!(failing(&map, &labels, &drawing), [Test::HalfEdgeDartOk]);

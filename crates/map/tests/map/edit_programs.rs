@@ -1,16 +1,19 @@
 //! Programs of edits: their text, their interpretation, every edit on small maps, and shrinking.
 
-use crate::support::programs::noise;
+use crate::support::drawn::crossing;
+use crate::support::programs::{drawn, noise, pinned};
+use arbitrary::{Arbitrary, Unstructured};
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::{Config, TestCaseError, TestError, TestRunner};
 use quickcheck::{Gen, QuickCheck};
 use std::collections::{BTreeMap, BTreeSet};
-use twinedge::program::choose::Choose;
-use twinedge::program::{Expected, ParseError, candidates, shrink};
+use twinedge::program::choose::{Choose, Random};
+use twinedge::program::{Expected, ParseError, Program, candidates, shrink};
 use twinedge::validate::Rule;
+use twinedge_map::PlanarMap;
 use twinedge_map::edit::EditError;
 use twinedge_map::program::*;
-use twinedge_map::{Builder, Noding, PlanarMap};
+use twinedge_map::program::{EditKind, EditProgram};
 
 fn random(seed: u64, bytes: usize) -> EditProgram {
     EditProgram::from_bytes(&noise(seed).take(bytes).collect::<Vec<_>>())
@@ -180,10 +183,7 @@ fn random_programs_keep_every_rule_and_are_refused_for_every_reason() {
 
 #[test]
 fn a_map_that_is_not_valid_is_found_after_the_first_edit() {
-    let mut builder = Builder::new();
-    builder.segment([0.0, 0.0], [2.0, 2.0]).expect("in range");
-    builder.segment([0.0, 2.0], [2.0, 0.0]).expect("in range");
-    let crossing = builder.build_with(Noding::None).expect("a small map fits");
+    let crossing = crossing();
     let why = crossing.not_plane().expect("the segments cross");
     let mut runner = EditRunner::new(crossing);
     let outcomes = runner.run_checked(&program("insert_point 5,5")).expect("a refusal changes nothing");
@@ -378,4 +378,35 @@ fn proptest_chooses_every_number_below_the_bound() {
     let chosen: BTreeSet<usize> = (0..200).map(|_| runner.choose(5)).collect();
     assert_eq!(chosen, (0..5).collect());
     assert_eq!(runner.choose(0), 0);
+}
+
+#[test]
+fn bytes_are_the_programs_that_they_were() {
+    let bytes = drawn(20_000);
+    pinned(&EditProgram::from_bytes(&bytes).to_string(), 0x9070_4C81_7D47_C48C);
+    pinned(&EditProgram::arbitrary(&mut Unstructured::new(&bytes)).unwrap().to_string(), 0x7B8A_3488_6836_25FA);
+    pinned(&EditProgram::arbitrary_take_rest(Unstructured::new(&bytes)).unwrap().to_string(), 0x9070_4C81_7D47_C48C);
+    // An edit without arguments takes no byte, but decoding still ends.
+    let features = EditProgram::generator().only(&[EditKind::AddFeature]).decode(&[1, 2, 3]);
+    assert_eq!(features.to_string(), "twinedge edits 1\nadd_feature\nadd_feature\nadd_feature\n");
+}
+
+#[test]
+fn random_programs_are_those_that_they_were() {
+    let edits = EditProgram::generator().length(300..=400);
+    pinned(&edits.generate(&mut Random::seeded(1)).to_string(), 0x3701_4E6E_CE0E_31BD);
+}
+
+#[test]
+fn programs_are_printed_as_they_were() {
+    let bytes = drawn(5_000);
+    let both = format!("{:?} {:?}", Program::from_bytes(&bytes), EditProgram::from_bytes(&bytes));
+    pinned(&both, 0xD921_D5DB_06B3_5DBF);
+}
+
+#[test]
+fn candidates_are_those_that_they_were() {
+    let edits = EditProgram::from_bytes(&drawn(60));
+    let text: String = candidates(&edits).map(|smaller| smaller.to_string()).collect();
+    pinned(&text, 0xF595_6AC2_DA6C_D0E4);
 }

@@ -78,7 +78,7 @@ fn contours_enclose_the_faces_that_were_claimed() {
         }
         true
     }
-    check(300, property as fn(EvenEdits) -> bool);
+    check(150, property as fn(EvenEdits) -> bool);
 }
 
 #[test]
@@ -115,7 +115,7 @@ fn borders_are_as_long_as_their_edges() {
         assert!(lengths.is_empty(), "{lengths:?}");
         true
     }
-    check(300, property as fn(EvenEdits) -> bool);
+    check(150, property as fn(EvenEdits) -> bool);
 }
 
 #[test]
@@ -141,7 +141,7 @@ fn overlays_lie_where_both_maps_say() {
         }
         true
     }
-    check(200, property as fn(EvenEdits, EvenEdits) -> bool);
+    check(80, property as fn(EvenEdits, EvenEdits) -> bool);
 }
 
 #[test]
@@ -165,5 +165,5 @@ fn what_is_written_of_an_edited_map_covers_the_same() {
         }
         true
     }
-    check(300, property as fn(EvenEdits) -> bool);
+    check(150, property as fn(EvenEdits) -> bool);
 }

@@ -25,7 +25,7 @@ fn edits_are_undone_and_redone_in_step_with_copies() {
             });
         }
     }
-    check(80, 50, law as fn(EditProgram));
+    check(40, 50, law as fn(EditProgram));
 }
 
 /// A location, without the side of an edge.

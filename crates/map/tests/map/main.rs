@@ -8,7 +8,6 @@ mod support {
     pub(crate) mod changes;
     pub(crate) mod drawn;
     pub(crate) mod edits;
-    pub(crate) mod embeddings;
     #[path = "../../../../../tests/support/erased.rs"]
     pub(crate) mod erased;
     #[path = "../../../../geometry/tests/geometry/exact.rs"]
@@ -43,8 +42,6 @@ mod history;
 mod import;
 mod location;
 mod noding;
-mod not_plane;
-mod pinned;
 mod planar_map;
 mod rewound;
 mod saved;

@@ -2,14 +2,19 @@
 
 use crate::location::maps::world_110m;
 use crate::support::drawn::area;
+use crate::support::exact::{Grid, Meets, meets, point};
 use quickcheck::{QuickCheck, TestResult};
 use std::collections::BTreeSet;
 use twinedge::dcel::Face;
+use twinedge_algorithm::lattice;
+use twinedge_algorithm::overlay::overlay;
+use twinedge_coverage::{Limits, check, layers};
 use twinedge_geometry::Point;
-use twinedge_map::{BuildError, Builder, Feature, FeatureId, PlanarMap, Position, Shape};
+use twinedge_geometry::noding::Snap;
+use twinedge_map::{BuildError, Builder, Feature, FeatureId, PlanarMap, Position, QueryLine, Shape};
 
 /// A rectangle with a vertex at every whole number, so that rectangles on whole numbers meet only at vertices.
-fn rectangle([x0, y0]: [i32; 2], [x1, y1]: [i32; 2]) -> Vec<Point> {
+pub(crate) fn rectangle([x0, y0]: [i32; 2], [x1, y1]: [i32; 2]) -> Vec<Point> {
     let at = |x: i32, y: i32| Point::new(f64::from(x), f64::from(y));
     let mut ring = Vec::new();
     ring.extend((x0..x1).map(|x| at(x, y0)));
@@ -195,26 +200,10 @@ fn features_cover_their_area_and_no_more() {
         .quickcheck(a_feature_covers_its_rectangles as fn(Vec<(u8, u8, u8, u8)>, bool) -> TestResult);
 }
 
-/// Returns true if two segments on whole numbers meet other than at shared endpoints.
-fn clash(a: [[i64; 2]; 2], b: [[i64; 2]; 2]) -> bool {
-    let turn = |p: [i64; 2], q: [i64; 2], r: [i64; 2]| {
-        ((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])).signum()
-    };
-    let between = |p: [i64; 2], s: [[i64; 2]; 2]| {
-        turn(s[0], s[1], p) == 0
-            && (s[0][0].min(s[1][0])..=s[0][0].max(s[1][0])).contains(&p[0])
-            && (s[0][1].min(s[1][1])..=s[0][1].max(s[1][1])).contains(&p[1])
-    };
-    let inside = |p, s: [[i64; 2]; 2]| between(p, s) && p != s[0] && p != s[1];
-    let crosses =
-        turn(a[0], a[1], b[0]) * turn(a[0], a[1], b[1]) < 0 && turn(b[0], b[1], a[0]) * turn(b[0], b[1], a[1]) < 0;
-    crosses || a.iter().any(|p| inside(*p, b)) || b.iter().any(|p| inside(*p, a))
-}
-
 /// Arbitrary segments on a small grid: built, and valid if and only if no two of them clash.
 fn built_and_judged(segments: Vec<((u8, u8), (u8, u8))>, thin_out: bool) -> bool {
-    let whole = |(x, y): (u8, u8)| [i64::from(x % 7), i64::from(y % 7)];
-    let mut kept: Vec<[[i64; 2]; 2]> = Vec::new();
+    let whole = |(x, y): (u8, u8)| (i32::from(x % 7), i32::from(y % 7));
+    let mut kept: Vec<[Grid; 2]> = Vec::new();
     let mut clashes = false;
     for (from, to) in segments {
         let mut segment = [whole(from), whole(to)];
@@ -222,7 +211,8 @@ fn built_and_judged(segments: Vec<((u8, u8), (u8, u8))>, thin_out: bool) -> bool
         if segment[0] == segment[1] || kept.contains(&segment) {
             continue;
         }
-        let bad = kept.iter().any(|other| clash(*other, segment));
+        let meets = |[c, d]: &[Grid; 2]| meets(segment[0], segment[1], *c, *d);
+        let bad = kept.iter().any(|other| !matches!(meets(other), Meets::No | Meets::AtEnds));
         if !(bad && thin_out) {
             clashes |= bad;
             kept.push(segment);
@@ -230,12 +220,10 @@ fn built_and_judged(segments: Vec<((u8, u8), (u8, u8))>, thin_out: bool) -> bool
     }
     let mut builder = Builder::new();
     for [from, to] in &kept {
-        #[allow(clippy::cast_precision_loss, reason = "single digits")]
-        let point = |p: [i64; 2]| Point::new(p[0] as f64, p[1] as f64);
         builder.segment(point(*from), point(*to)).expect("in range");
     }
     let map = builder.build().expect("fits");
-    let vertices: BTreeSet<[i64; 2]> = kept.iter().flatten().copied().collect();
+    let vertices: BTreeSet<Grid> = kept.iter().flatten().copied().collect();
     let counted = map.dcel().vertex_count() == vertices.len() && map.dcel().edge_count() == kept.len();
     let whole_plane: f64 = map.dcel().faces().map(|f| area(&map, f)).sum();
     // The area of the unbounded face is minus the area of the bounded ones.
@@ -245,7 +233,7 @@ fn built_and_judged(segments: Vec<((u8, u8), (u8, u8))>, thin_out: bool) -> bool
 
 #[test]
 fn any_segments_are_built_and_judged_rightly() {
-    QuickCheck::new().tests(2000).quickcheck(built_and_judged as fn(Vec<((u8, u8), (u8, u8))>, bool) -> bool);
+    QuickCheck::new().tests(1000).quickcheck(built_and_judged as fn(Vec<((u8, u8), (u8, u8))>, bool) -> bool);
 }
 
 #[test]
@@ -265,4 +253,48 @@ fn the_world_is_covered_by_its_countries() {
     }
     // Two slivers, by the provenance of the data. (Ray casting with plain floats finds three countries on each.)
     assert_eq!(contested, 2);
+}
+
+fn built(segments: &[[[f64; 2]; 2]]) -> PlanarMap {
+    let mut builder = Builder::new();
+    for [from, to] in segments {
+        builder.segment(*from, *to).unwrap();
+    }
+    builder.build().unwrap()
+}
+
+#[test]
+fn a_refusal_says_where_edges_meet_and_what_cuts_them() {
+    for (segments, at) in [
+        ([[[0.0, 0.0], [2.0, 2.0]], [[0.0, 2.0], [2.0, 0.0]]], "(1, 1)"),
+        ([[[0.0, 0.0], [4.0, 0.0]], [[3.0, 0.0], [3.0, 2.0]]], "(3, 0)"),
+        ([[[0.0, 0.0], [4.0, 0.0]], [[4.0, 0.0], [2.0, 0.0]]], "(4, 0)"),
+    ] {
+        let mut map = built(&segments);
+        let mut refusals = vec![
+            map.zone(&QueryLine::Line([0.0, 0.0].into(), [5.0, 5.0].into())).unwrap_err().to_string(),
+            map.locate([5.0, 5.0].into()).unwrap_err().to_string(),
+            lattice::of_map(&map).unwrap_err().to_string(),
+            check(&map, &Limits::default()).unwrap_err().to_string(),
+            layers::check(&map, 1, &[]).unwrap_err().to_string(),
+            layers::check_parents(&map, &[], &[]).unwrap_err().to_string(),
+            layers::pieces(&map, 1).unwrap_err().to_string(),
+            overlay(&map, &PlanarMap::new(), Snap::Auto).unwrap_err().to_string(),
+        ];
+        refusals.push(map.insert_point([5.0, 5.0]).unwrap_err().to_string());
+        for said in refusals {
+            assert!(said.contains(&format!("as at {at}; `Builder::build_with(Noding::Snap(")), "{said}");
+        }
+    }
+}
+
+#[test]
+fn the_place_of_a_crossing_is_near_both_edges_however_large_they_are() {
+    for scale in [1e-60, 1.0, 1e100] {
+        let [a, b] = [[-3.0, -1.0], [9.0, 3.0]].map(|p: [f64; 2]| p.map(|x| x * scale));
+        let [c, d] = [[1.0, 5.0], [2.0, -4.0]].map(|p: [f64; 2]| p.map(|x| x * scale));
+        let at = built(&[[a, b], [c, d]]).not_plane().unwrap().at.unwrap();
+        assert!(at.x >= scale && at.x <= 2.0 * scale && at.y >= 0.0 && at.y <= scale, "{at:?}");
+    }
+    assert_eq!(built(&[[[0.0, 0.0], [1.0, 0.0]]]).not_plane(), None);
 }

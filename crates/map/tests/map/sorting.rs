@@ -49,7 +49,7 @@ fn maps_are_the_same_however_items_that_tie_are_sorted() {
     // Two rectangles that share parts of two sides.
     let mut drawings = vec![vec![[0.0, 0.0, 1.0, 2.0], [0.0, 0.0, 1.0, 1.0]]];
     let mut random = Random::seeded(24);
-    for _ in 0..150 {
+    for _ in 0..60 {
         let mut number = |most: usize| random.choose(2 * most) as f64 / 2.0;
         let rectangles = (0..12).map(|_| [number(6), number(6), 0.5 + number(4), 0.5 + number(4)]);
         drawings.push(rectangles.collect());

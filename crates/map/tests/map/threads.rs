@@ -1,11 +1,13 @@
 //! Maps built and queried by several threads, compared bit for bit with one thread.
 
 use crate::location::maps::features;
+use crate::noding::gather;
 use rayon::{ThreadPool, ThreadPoolBuilder};
+use twinedge::program::choose::{Choose, Random};
 use twinedge_coverage::{Limits, check};
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::{Noded, Snap, node, node_within};
-use twinedge_map::{Builder, Feature, Noding, PlanarMap, Shape};
+use twinedge_map::{Feature, Noding, Shape};
 
 fn threads(number: usize) -> ThreadPool {
     ThreadPoolBuilder::new().num_threads(number).build().expect("threads can be had")
@@ -23,26 +25,10 @@ fn world() -> Vec<Feature> {
     features(include_bytes!("../../../../tests/data/world-50m.geojson"))
 }
 
-fn build(features: &[Feature], noding: Noding) -> PlanarMap {
-    let mut builder = Builder::new();
-    for feature in features {
-        builder.feature(feature).expect("in range");
-    }
-    builder.build_with(noding).expect("it fits")
-}
-
-/// Deterministic pseudo-random numbers from 0 to 1.
-fn random() -> impl FnMut() -> f64 {
-    let mut state = 12_u64;
-    move || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        f64::from((state >> 33) as u32) / f64::from(1_u32 << 31)
-    }
-}
-
 /// Many short segments, and some from one side to the other, which cross each other and the short ones.
 fn tangle() -> Vec<[Point; 2]> {
-    let mut random = random();
+    let mut source = Random::seeded(12);
+    let mut random = || source.choose(1 << 31) as f64 / f64::from(1_u32 << 31);
     let mut segments: Vec<[Point; 2]> = (0..30_000)
         .map(|_| {
             let (x, y) = (random(), random());
@@ -63,7 +49,7 @@ fn several_threads_build_the_map_that_one_builds() {
     let features = world();
     for noding in [Noding::None, Noding::Exact, Noding::Snap(Snap::Auto), Noding::Snap(Snap::Size(1.0 / 32.0))] {
         same(|| {
-            let map = build(&features, noding);
+            let map = gather(&features).build_with(noding).expect("it fits");
             let mut saved = serde_json::to_value(&map).expect("a plane map can be saved");
             // Generations of two maps differ, so that their keys are not confused.
             assert!(saved["dcel"]["generations"].take().is_object());
@@ -101,7 +87,7 @@ fn several_threads_find_in_a_coverage_what_one_finds() {
         Feature { shapes: vec![Shape::polygon(ring)], ..Feature::default() }
     };
     let features: Vec<Feature> = (0..400).map(|i| parcel(i - u32::from(i % 50 == 49))).collect();
-    let map = build(&features, Noding::Snap(Snap::Auto));
+    let map = gather(&features).build_with(Noding::Snap(Snap::Auto)).expect("it fits");
     let found = same(|| check(&map, &Limits::default()).expect("it is plane").findings);
     assert!(found.len() > 100, "{}", found.len());
 }

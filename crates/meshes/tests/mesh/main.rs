@@ -9,4 +9,9 @@ mod output;
 mod random;
 mod second_opinions;
 mod space;
-mod support;
+mod support {
+    pub(crate) mod oracle;
+    pub(crate) mod shapes;
+    pub(crate) mod soup;
+    pub(crate) mod write;
+}

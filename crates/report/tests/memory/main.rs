@@ -2,11 +2,10 @@
 #![allow(clippy::incompatible_msrv, reason = "the tests need the Rust version of their own dependencies")]
 #![allow(clippy::needless_pass_by_value, reason = "quickcheck hands its arguments over")]
 
+mod claims;
 #[path = "../../../../tests/memory/counting.rs"]
 mod counting;
 mod geojson;
-mod mesh;
-mod postgis;
 
 use counting::{LIVE_BYTES, PEAK_BYTES};
 

@@ -238,18 +238,8 @@ fn a_spike_leaves_no_feature_white_and_nameless() {
     // The spike of the first feature runs into the second; the hole of the third is drawn as one ring with a slit.
     let spiked = [[0.0, 0.0], [4.0, 0.0], [4.0, 2.0], [7.0, 3.0], [4.0, 2.0], [4.0, 4.0], [0.0, 4.0]];
     let square = [[5.0, 0.0], [9.0, 0.0], [9.0, 4.0], [5.0, 4.0]];
-    let slit = [
-        [0.0, 5.0],
-        [9.0, 5.0],
-        [9.0, 9.0],
-        [0.0, 9.0],
-        [0.0, 5.0],
-        [1.0, 6.0],
-        [1.0, 8.0],
-        [2.0, 8.0],
-        [2.0, 6.0],
-        [1.0, 6.0],
-    ];
+    let slit = [[0, 5], [9, 5], [9, 9], [0, 9], [0, 5], [1, 6], [1, 8], [2, 8], [2, 6], [1, 6]]
+        .map(|p: [i32; 2]| p.map(f64::from));
     let mut builder = Builder::new();
     for (name, ring) in [("spiked", &spiked[..]), ("square", &square), ("slit", &slit)] {
         builder.feature(&polygon(name, ring)).expect("in range");

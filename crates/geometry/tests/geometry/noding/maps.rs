@@ -5,7 +5,7 @@ use twinedge_geometry::Point;
 use twinedge_geometry::noding::Snap;
 
 /// The segments of all rings, ring after ring.
-fn map(text: &str) -> Vec<Segment> {
+pub(crate) fn map(text: &str) -> Vec<Segment> {
     let value: serde_json::Value = serde_json::from_str(text).expect("JSON");
     let mut segments = Vec::new();
     let mut stack: Vec<&serde_json::Value> = value["features"]

@@ -3,6 +3,6 @@
 mod check;
 mod families;
 mod limits;
-mod maps;
+pub(crate) mod maps;
 mod oracle;
 mod properties;

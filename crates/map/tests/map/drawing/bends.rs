@@ -1,7 +1,6 @@
 //! Edges with bends: the verdict equals that on the map with a vertex at each bend, and violations name bends.
 
-use crate::support::drawn::{Drawn, moved_inner};
-use crate::support::embeddings::validate_embedding;
+use crate::support::drawn::{Drawn, moved_inner, validate_embedding};
 use crate::support::only_live::OnlyLive;
 use std::collections::BTreeMap;
 use twinedge::delegate_view;
@@ -217,7 +216,7 @@ impl Twice {
 fn a_map_with_bends_is_judged_as_the_map_with_a_vertex_at_each() {
     let mut random = Random(1);
     let (mut bends, mut broken) = (0, [0; 5]);
-    for round in 0..1500 {
+    for round in 0..800 {
         let map = random.map();
         let right = Twice::of(&map, &mut random);
         bends += right.bent.bends.values().flatten().count();
@@ -485,7 +484,7 @@ impl Embedding for Fickle {
 #[test]
 fn bends_may_change_from_call_to_call() {
     let mut random = Random(2);
-    for seed in 0..500 {
+    for seed in 0..200 {
         let drawn = Twice::of(&random.map(), &mut random).bent;
         let fickle = Fickle { drawn, random: std::cell::RefCell::new(Random(seed)) };
         let report = validate_embedding(&fickle, &PLANE, Collect::All);

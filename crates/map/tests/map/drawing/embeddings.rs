@@ -1,10 +1,15 @@
 //! G1 … G5: each broken alone, if possible, and named correctly.
 
-use crate::support::drawn::{Drawn, points_of};
-use crate::support::embeddings::validate_embedding;
+use crate::support::drawn::{Drawn, points_of, validate_embedding};
+use crate::support::inconsistent::Inconsistent;
+use crate::support::nested::{nested, nested_textbook};
+use crate::support::tables::Without;
+use serde_json::{from_value, to_value};
 use twinedge::dcel::{Dcel, HalfEdge};
 use twinedge::delegate_view;
-use twinedge::validate::{Collect, Expectation, Link, Parts, Record, Rule, Table, Unchecked, View, Violation};
+use twinedge::validate::{
+    Collect, Expectation, Link, Part, Parts, Record, Report, Rule, Table, Unchecked, View, Violation,
+};
 use twinedge_geometry::Point;
 use twinedge_map::{Builder, Embedding, PlanarMap, places};
 
@@ -200,5 +205,63 @@ fn topology_that_is_broken_leaves_geometry_unchecked() {
                 assert_eq!(report.outcome(rule).and_then(|o| o.unchecked), Some(why), "{rule}");
             }
         }
+    }
+}
+
+/// The coordinates of the vertices of the nested triangles, while answers are consistent.
+const POINTS: [[f64; 2]; 7] = [[0.0, 0.0], [10.0, 0.0], [5.0, 10.0], [4.0, 1.0], [6.0, 1.0], [5.0, 3.0], [7.0, 3.0]];
+
+impl Embedding for Inconsistent<'_> {
+    fn point(&self, vertex: usize) -> Point {
+        let strange = [f64::NAN, f64::INFINITY, 0.0, -0.0, 1e300, f64::MIN_POSITIVE, 5.0];
+        match self.noise() {
+            Some(u64::MAX) => POINTS[vertex].into(),
+            Some(noise) => Point::new(strange[noise as usize % 7], strange[noise as usize / 7 % 7]),
+            None => Point::new(f64::NAN, f64::NAN),
+        }
+    }
+}
+
+#[test]
+fn answers_may_change_from_call_to_call() {
+    for table in [nested(), nested_textbook()] {
+        let consistent = Inconsistent::new(&table, u64::MAX, 0);
+        assert!(validate_embedding(&consistent, &PLANE, Collect::All).is_valid());
+        let questions = consistent.questions.get();
+        let without = table.without(Part::UnboundedFace);
+        for (table, expectation) in [(&table, PLANE), (&table, PLANE.open()), (&without, PLANE.open())] {
+            for consistent_answers in 0..questions {
+                for seed in 0..15 {
+                    let view = Inconsistent::new(table, consistent_answers, seed);
+                    let report = validate_embedding(&view, &expectation, Collect::All);
+                    let asked = view.questions.get();
+                    // The fast path may read nearly everything before it fails, and then every rule reads again.
+                    assert!(asked <= 5 * questions, "{asked} questions, {questions} if consistent\n{report}");
+                    for violation in report.violations() {
+                        assert!(places(&view, violation).len() <= 4);
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn read_again(report: &Report) -> Report {
+    from_value(to_value(report).unwrap()).unwrap()
+}
+
+/// Coordinates are checked by all five rules or by none.
+#[test]
+fn a_report_with_some_of_the_rules_of_coordinates_is_refused() {
+    let report = PlanarMap::new().validate();
+    assert_eq!(read_again(&report), report);
+    let geometric: Vec<Rule> = Rule::ALL.iter().copied().filter(|rule| rule.is_geometric()).collect();
+    for left in 0..1_usize << geometric.len() {
+        let is_left = |rule: Rule| geometric.iter().position(|g| *g == rule).is_none_or(|i| left >> i & 1 == 1);
+        let mut value = to_value(&report).unwrap();
+        value["rules"].as_array_mut().unwrap().retain(|entry| is_left(from_value(entry["id"].clone()).unwrap()));
+        let missing = geometric.iter().find(|rule| !is_left(**rule)).filter(|_| left > 0);
+        let found = from_value::<Report>(value).err().map(|error| error.to_string());
+        assert_eq!(found, missing.map(|rule| format!("{rule} has no outcome")));
     }
 }

@@ -2,9 +2,9 @@
 //! argument, and after every corruption of one link or point; and only changes are read.
 
 use crate::support::changes::{difference, note};
+use crate::support::drawn::validate_embedding;
 use crate::support::drawn::{moved_inner, points_of};
 use crate::support::edits::EvenEdits;
-use crate::support::embeddings::validate_embedding;
 use quickcheck::{Arbitrary, Gen};
 use std::cell::Cell;
 use twinedge::dcel::{Corner, Dcel, Side, Split, Turn};
@@ -301,7 +301,7 @@ fn drawn(dcel: &Dcel, before: &Scene, mut visit: impl FnMut(&mut Scene)) {
 #[test]
 fn every_operator_with_every_argument() {
     let mut tally = Tally::default();
-    for program in programs().take(40) {
+    for program in programs().take(24) {
         let mut maps = vec![];
         each_edit(&program, |_, after| maps.push(after.clone()));
         for map in maps.iter().filter(|map| (3..12).contains(&map.dcel().edge_count())).step_by(3) {
@@ -334,7 +334,7 @@ fn one_in(count: usize) -> impl FnMut() -> bool {
 fn pairs_of_operators() {
     let mut tally = Tally::default();
     let (mut is_first, mut is_second) = (one_in(67), one_in(61));
-    for program in programs().take(60) {
+    for program in programs().take(40) {
         let mut maps = vec![];
         each_edit(&program, |_, after| maps.push(after.clone()));
         for map in maps.iter().filter(|map| (3..12).contains(&map.dcel().edge_count())).step_by(4) {

@@ -1,10 +1,11 @@
 //! Each refusal names its cause and changes nothing.
 
 use crate::edit::describe::{dump, grid};
+use crate::support::drawn::crossing;
 use twinedge::dcel::{HalfEdgeKey, OperatorError, StaleKey, VertexKey};
 use twinedge_geometry::noding::Snap;
+use twinedge_map::PlanarMap;
 use twinedge_map::edit::EditError;
-use twinedge_map::{Builder, PlanarMap};
 
 /// A square with a vertex in it: its half-edges from (0, 0) on, counter-clockwise, and the vertex.
 fn square() -> (PlanarMap, Vec<HalfEdgeKey>, VertexKey) {
@@ -48,10 +49,7 @@ fn keys_of_what_is_gone() {
 
 #[test]
 fn a_map_that_is_not_plane() {
-    let mut builder = Builder::new();
-    builder.segment([0.0, 0.0], [2.0, 2.0]).expect("in range");
-    builder.segment([0.0, 2.0], [2.0, 0.0]).expect("in range");
-    let mut map = builder.build().expect("it fits");
+    let mut map = crossing();
     let vertex = map.dcel().vertices().next().expect("it has vertices").key();
     let edge = map.dcel().half_edges().next().expect("it has edges").key();
     let why = EditError::NotPlane(map.not_plane().unwrap());

@@ -3,10 +3,10 @@
 use crate::edit::describe::{Description, built, describe, dump, ends, grid};
 use crate::edit::follow::Shadow;
 use crate::edit::model::{Model, sorted};
+use crate::planar_map::rectangle;
 use crate::support::exact::{Grid, Meets, meets, point};
 use quickcheck::{Arbitrary, Gen, QuickCheck};
 use twinedge::dcel::{HalfEdgeKey, VertexKey};
-use twinedge_geometry::Point;
 use twinedge_map::edit::{EditError, Edited};
 use twinedge_map::{Builder, PlanarMap, Shape};
 
@@ -227,14 +227,8 @@ fn open(points: &[Grid]) -> &[Grid] {
 /// A map with overlapping features.
 fn rectangles() -> PlanarMap {
     let mut builder = Builder::new();
-    let at = |x: i32, y: i32| Point::new(f64::from(x), f64::from(y));
-    for (x0, y0, x1, y1) in [(0, 0, 4, 4), (2, 2, 6, 6), (1, 1, 2, 2), (4, 0, 6, 2)] {
-        let mut ring = Vec::new();
-        ring.extend((x0..x1).map(|x| at(x, y0)));
-        ring.extend((y0..y1).map(|y| at(x1, y)));
-        ring.extend((x0 + 1..=x1).rev().map(|x| at(x, y1)));
-        ring.extend((y0 + 1..=y1).rev().map(|y| at(x0, y)));
-        builder.shape(&Shape::Polygon(vec![ring])).expect("small integers are in range");
+    for (low, high) in [([0, 0], [4, 4]), ([2, 2], [6, 6]), ([1, 1], [2, 2]), ([4, 0], [6, 2])] {
+        builder.shape(&Shape::polygon(rectangle(low, high))).expect("small integers are in range");
     }
     builder.build().expect("a small map fits")
 }
@@ -253,7 +247,7 @@ fn check(tests: u64, size: usize, law: fn(Vec<Edit>) -> bool) {
 
 #[test]
 fn edits_step_by_step_give_the_map_that_is_built_at_once() {
-    check(600, 60, |edits| {
+    check(250, 60, |edits| {
         run(PlanarMap::new(), &edits);
         true
     });
@@ -261,7 +255,7 @@ fn edits_step_by_step_give_the_map_that_is_built_at_once() {
 
 #[test]
 fn features_stay_with_the_area_and_the_edges_that_they_had() {
-    check(300, 40, |edits| {
+    check(120, 40, |edits| {
         run(rectangles(), &edits);
         true
     });

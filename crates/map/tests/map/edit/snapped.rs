@@ -150,7 +150,7 @@ fn snapped_segments_one_by_one_give_what_noding_all_at_once_gives() {
     for size in [8, 20] {
         QuickCheck::new()
             .rng(Gen::from_size_and_seed(size, 2026))
-            .tests(100)
+            .tests(50)
             .quickcheck(law as fn(Vec<Vec<Quarter>>, Vec<Quarter>, Vec<(Quarter, Quarter)>, bool) -> bool);
     }
 }

@@ -1,12 +1,16 @@
 //! A structure with coordinates of its own.
 
-use super::embeddings::validate_embedding;
 use std::collections::BTreeMap;
 use twinedge::dcel::Face;
 use twinedge::delegate_view;
 use twinedge::validate::{BoundaryPlace, BoundaryRow, Collect, Expectation, Report, Table, View};
 use twinedge_geometry::Point;
-use twinedge_map::{Embedding, PlanarMap};
+use twinedge_map::{Builder, Embedding, PlanarMap};
+
+/// The validator of embeddings through a pointer, so that it is compiled once.
+pub(crate) fn validate_embedding(embedding: &dyn Embedding, expectation: &Expectation, collect: Collect) -> Report {
+    twinedge_map::validate_embedding(embedding, expectation, collect)
+}
 
 /// A structure, and the points of its vertices and bends.
 #[derive(Clone)]
@@ -53,6 +57,14 @@ impl Drawn {
     pub(crate) fn of(map: &PlanarMap) -> Self {
         Self::new(Table::copy_of(map).expect("a small map fits"), points_of(map))
     }
+}
+
+/// Two segments that cross.
+pub(crate) fn crossing() -> PlanarMap {
+    let mut map = Builder::new();
+    map.segment([0.0, 0.0], [2.0, 2.0]).expect("in range");
+    map.segment([0.0, 2.0], [2.0, 0.0]).expect("in range");
+    map.build().expect("a small map fits")
 }
 
 /// The point of each vertex slot.

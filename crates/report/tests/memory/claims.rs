@@ -1,11 +1,11 @@
-//! The counts declared in a header cost no memory, and the content of a mesh costs little.
+//! The counts declared in a file cost no memory, and the content of a mesh costs little.
 
 use crate::peak;
 use twinedge::validate::Collect;
 use twinedge_meshes::{Format, HalfEdgeMesh, IndexedMesh, read_bytes};
 
 #[test]
-fn claims_cost_nothing() {
+fn claims_of_meshes_cost_nothing() {
     let xyz = "property float x\nproperty float y\nproperty float z\n";
     let list = "property list uint int vertex_indices\n";
     let ply = |encoding: &str, body: &[u8]| {
@@ -46,4 +46,24 @@ fn joining_takes_memory_in_proportion() {
     };
     let (small, large) = (used(10_000), used(100_000));
     assert!(large < 11 * small, "{small} bytes for 10,000 faces, {large} for 100,000");
+}
+
+#[test]
+fn claims_of_streams_cost_nothing() {
+    let header: &[u8] = b"PGCOPY\n\xff\r\n\0\0\0\0\0";
+    let begun = [header, &[0; 4]].concat();
+    let long: &[u8] = &[0x7f, 0xff, 0xff, 0xff];
+    let node: &[u8] = &[0, 3, 0, 0, 0, 4, 0, 0, 0, 1, 0xff, 0xff, 0xff, 0xff];
+    let empty_table: &[u8] = &[0xff, 0xff];
+    for bytes in [
+        // An extension of the header, a geometry, a line and a polygon with a count of 2³¹ bytes, points or rings.
+        [header, &[0xff; 4]].concat(),
+        [&begun, node, long, &[1, 1]].concat(),
+        [&begun, node, &[0, 0, 0, 9], &[1, 2, 0, 0, 0, 0xff, 0xff, 0xff, 0x7f]].concat(),
+        [&begun, empty_table, &begun, &[0, 2, 0, 0, 0, 4, 0, 0, 0, 1], &[0, 0, 0, 9], &[1, 3, 0, 0, 0], &[0xff; 4]]
+            .concat(),
+    ] {
+        let used = peak(|| assert!(twinedge_postgis::read(&*bytes, 100).is_err()));
+        assert!(used < 20_000, "{used} bytes for a stream of {}", bytes.len());
+    }
 }
