@@ -385,7 +385,7 @@ pub fn snap(text: &str) -> Result<Snap, &'static str> {
     }
 }
 
-#[allow(clippy::trivially_copy_pass_by_ref, reason = "the form that serde calls")]
+#[allow(clippy::ref_option, clippy::trivially_copy_pass_by_ref, reason = "the form that serde calls")]
 fn write_snap<S: Serializer>(snap: &Option<Snap>, to: S) -> Result<S::Ok, S::Error> {
     match snap {
         None => to.serialize_none(),
@@ -400,7 +400,7 @@ fn read_snap<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Snap>, D::Erro
         Value::String(text) => text,
         other => other.to_string(),
     };
-    snap(&text).map(Some).map_err(|why| D::Error::custom(why))
+    snap(&text).map(Some).map_err(D::Error::custom)
 }
 
 /// Parses a positive number.
