@@ -181,7 +181,7 @@ def test_where_the_points_of_a_mesh_lie_is_judged_where_asked(tmp_path):
     path = tmp_path / "inwards.obj"
     path.write_text(mesh.export(file_type="obj"))
     assert twinedge.audit_faces(INWARDS, TETRAHEDRON, closed=True).valid
-    for report in (twinedge.audit_faces(INWARDS, TETRAHEDRON, **asked), twinedge.audit(mesh, **asked), twinedge.audit(path, **asked)):
+    for report in (twinedge.audit_faces(INWARDS, TETRAHEDRON, **asked), twinedge.audit(mesh, **asked), twinedge.audit(path, **asked), twinedge.adapters.trimesh(mesh, **asked)):
         assert _broken(report) == ["M11"]
 
 
@@ -192,6 +192,8 @@ def test_parts_are_judged_by_their_parents_where_asked():
     assert kinds == ["parent_not_covered"]
     with pytest.raises(ValueError, match="parent_column: there is no column 'state'"):
         twinedge.audit(frame, parent_column="state")
+    with pytest.raises(TypeError, match="parent_column: expected a name, or 'COLUMN=KEY', not tuple"):
+        twinedge.audit(frame, parent_column=("parent", "id"))
     with pytest.raises(TypeError, match="parent_column: this is for frames"):
         twinedge.audit(boxes, parent_column="parent")
 

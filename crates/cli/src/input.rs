@@ -4,8 +4,10 @@ use crate::output::{Failure, named};
 use crate::progress::busy;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::fs::File;
-use std::io::{self, BufReader, Read as _};
+use std::io::{self, BufReader, IsTerminal as _, Read as _};
 use std::path::{Path, PathBuf};
+use std::sync::mpsc::sync_channel;
+use std::time::Duration;
 use twinedge_layers::io::ForeignFormat;
 use twinedge_layers::{Format, Layer, ReadError, read_layer, unpack};
 use twinedge_report::{Imported, Input, Judged, Keep, MapOptions};
@@ -32,7 +34,10 @@ pub(crate) fn open(path: Option<&Path>, layer: Option<&str>) -> Result<Input, Fa
 
 fn open_as_it_is(path: Option<&Path>, layer: Option<&str>) -> Result<Input, Failure> {
     let input = match path {
-        None => Input::new(EMBEDDED_NAME, Box::new(EMBEDDED), None),
+        None => {
+            refuse_piped()?;
+            Input::new(EMBEDDED_NAME, Box::new(EMBEDDED), None)
+        }
         Some(path) if path == Path::new("-") => {
             Input::new("standard input", Box::new(BufReader::new(io::stdin())), None)
         }
@@ -49,6 +54,27 @@ fn open_as_it_is(path: Option<&Path>, layer: Option<&str>) -> Result<Input, Fail
         }
     };
     Ok(Input { layer: layer.map(str::to_owned), ..input })
+}
+
+/// Refuses data on standard input, which would be ignored. Who pipes a map must not read the verdict on another one.
+fn refuse_piped() -> Result<(), Failure> {
+    /// The time in which data arrive, if there are any. A pipe may be open with nothing in it.
+    const PATIENCE: Duration = Duration::from_millis(200);
+    if io::stdin().is_terminal() {
+        return Ok(());
+    }
+    let (sender, receiver) = sync_channel(1);
+    let look = move || {
+        let has_data = matches!(io::stdin().read(&mut [0]), Ok(1));
+        // Nobody waits for it any more if it comes late.
+        let _ = sender.send(has_data);
+    };
+    // Without a thread nothing is known about standard input.
+    let looks = std::thread::Builder::new().spawn(look).is_ok();
+    match looks && receiver.recv_timeout(PATIENCE) == Ok(true) {
+        true => Err(Failure("there are data on standard input: give `-` as the file to read them".to_owned())),
+        false => Ok(()),
+    }
 }
 
 /// A progress bar on standard error, if that is a terminal.

@@ -410,6 +410,8 @@ def audit(
         "sliver_area": sliver_area, "snap": snap, "edges": edges, "name": name, "layer_name": layer_name, "accept": accept, "timeout": timeout,
         "geodesic": geodesic, "parent_column": parent_column,
     }
+    if parent_column is not None and not isinstance(parent_column, str):
+        raise TypeError(f"parent_column: expected a name, or 'COLUMN=KEY', not {type(parent_column).__name__}")
     labels: Names | None = None
     crs: Any = None
     file = isinstance(layer, (str, os.PathLike)) and not hasattr(layer, "__geo_interface__")

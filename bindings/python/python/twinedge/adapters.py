@@ -227,7 +227,7 @@ def trimesh(mesh: Any, **expected: Any) -> Report:
     known = hasattr(mesh, "faces") and hasattr(mesh, "vertices") and not callable(mesh.faces)
     instead = ": scene.to_mesh() puts the meshes of a scene together" if hasattr(mesh, "to_mesh") else ""
     _expect(known, "trimesh.Trimesh", mesh, instead)
-    return audit_faces(np.asarray(mesh.faces), len(mesh.vertices), **{"sides": 3} | expected)
+    return audit_faces(np.asarray(mesh.faces), np.asarray(mesh.vertices, float), **{"sides": 3} | expected)
 
 
 def shapely(polygons: Any, *, coverage: bool = True, **limits: Unpack[AuditOptions]) -> Report:

@@ -143,7 +143,8 @@ impl Cleaning<'_> {
     /// The number of gaps left because they are wider than the limit.
     fn wider(&self) -> String {
         match (self.report.wider_gaps.len(), self.greatest_gap) {
-            (0, _) | (_, None) => String::new(),
+            (_, None) => String::new(),
+            (0, Some(width)) => format!(", up to a gap width of {width}"),
             (1, Some(width)) => format!("; 1 gap wider than {width} is left"),
             (n, Some(width)) => format!("; {} gaps wider than {width} are left", grouped(n)),
         }
