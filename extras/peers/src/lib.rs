@@ -1,7 +1,7 @@
 //! Other people's half-edge structures, audited: random programs over their public operators, judged by the rules of
 //! twinedge after each step.
 //!
-//! `README.md` has the findings. Each is a test in `tests/`, in the crate's own terms, without any of the modules here.
+//! `findings.tsv` has the findings. Each is a test in `tests/`, in the crate's own terms, without any of the modules here.
 //!
 //! | module | purpose |
 //! | --- | --- |

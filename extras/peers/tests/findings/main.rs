@@ -1,4 +1,4 @@
-//! The findings of `README.md`, one test each, in the crate's own terms. A test asserts the crate's *current* behaviour,
+//! The findings of `findings.tsv`, one test each, in the crate's own terms. A test asserts the crate's *current* behaviour,
 //! and fails when a later version fixes it; the finding then leaves the table.
 //!
 //! Each fault is shown twice: by the rules of twinedge, and by the crate's own accessors.
@@ -29,4 +29,4 @@ fn panics<T>(finding: &str, file: &str, message: &str, closure: impl FnOnce() ->
     assert!(place.contains(file) && found.contains(message), "{finding}: another panic, {place}: {found}. {MENDED}");
 }
 
-const MENDED: &str = "the crate no longer does this. If it was mended, take the finding out of README.md";
+const MENDED: &str = "the crate no longer does this. If it was mended, take the finding out of findings.tsv";
