@@ -71,10 +71,10 @@ fn refuse_piped() -> Result<(), Failure> {
     };
     // Without a thread nothing is known about standard input.
     let looks = std::thread::Builder::new().spawn(look).is_ok();
-    match looks && receiver.recv_timeout(PATIENCE) == Ok(true) {
-        true => Err(Failure("there are data on standard input: give `-` as the file to read them".to_owned())),
-        false => Ok(()),
+    if looks && receiver.recv_timeout(PATIENCE) == Ok(true) {
+        return Err(Failure("there are data on standard input: give `-` as the file to read them".to_owned()));
     }
+    Ok(())
 }
 
 /// A progress bar on standard error, if that is a terminal.
