@@ -295,7 +295,7 @@ fn a_view_of_another_map_is_found() {
     let on_face = Difference::View { half_edge: 0, corner: 0, question: Question::Face };
     for (text, change, difference) in [
         ("add_isolated_vertex unbounded", emptied, Difference::Missing { corner: 0 }),
-        // A loop on a sphere: its faces are told apart by which one is unbounded.
+        // The two faces of a loop look alike: only one of them is unbounded.
         ("add_isolated_vertex unbounded\nconnect i0 ~0 left", turned_out, on_face),
         (
             "add_isolated_vertex unbounded\nconnect i0 ~0 left\nadd_isolated_vertex unbounded\nmove_inner i0 h0",

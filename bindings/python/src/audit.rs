@@ -84,20 +84,23 @@ fn open_and_judge(source: Source, options: &Options) -> Result<Audited, Failure>
     Ok(audited)
 }
 
-/// Joins faces at their edges and judges the result. Points have three coordinates each; corners are vertices, face by face; `offsets` has the start
-/// of each face. The arrays are copied before the lock is released.
+/// Joins faces at their edges and judges the result. Points, if there are any, have three coordinates each; corners are vertices, face by face;
+/// `offsets` has the start of each face. The arrays are copied before the lock is released.
 #[pyfunction]
 pub(crate) fn audit_faces(
     py: Python<'_>,
-    points: PyReadonlyArray2<'_, f64>,
+    vertices: usize,
+    points: Option<PyReadonlyArray2<'_, f64>>,
     corners: PyReadonlyArray1<'_, u32>,
     offsets: PyReadonlyArray1<'_, u32>,
     asked: &str,
 ) -> PyResult<Told> {
     let (corners, offsets) = (corners.as_array().to_vec(), offsets.as_array().to_vec());
-    let points = points.as_array().rows().into_iter().map(|point| [point[0], point[1], point[2]]).collect();
+    let points = points.map(|points| points.as_array().rows().into_iter().map(|p| [p[0], p[1], p[2]]).collect());
     let options = options(asked, None)?;
     let work = move || {
+        // Without points only their number counts.
+        let points = points.unwrap_or_else(|| vec![[0.0; 3]; vertices]);
         let mesh = IndexedMesh::new(points, corners, offsets).map_err(Failure::value)?;
         told(&audit_mesh("faces", mesh, &options)?, None)
     };

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import geopandas
 import numpy as np
+import pandas
 import pytest
 import shapely
 import trimesh
@@ -190,6 +191,11 @@ def test_parts_are_judged_by_their_parents_where_asked():
     frame = geopandas.GeoDataFrame({"parent": [None, "whole", "whole"]}, geometry=boxes, index=["whole", "left", "right"])
     kinds = [finding.kind for finding in twinedge.audit(frame, parent_column="parent").findings if finding.rule == "X4"]
     assert kinds == ["parent_not_covered"]
+    # As pandas reads numbers where one is missing, and its own missing value.
+    for parents in ([np.nan, 1, 1], pandas.array([None, 1, 1], dtype="Int64")):
+        numbered = geopandas.GeoDataFrame({"id": [1, 2, 3], "parent": parents}, geometry=boxes)
+        kinds = [finding.kind for finding in twinedge.audit(numbered, parent_column="parent=id").findings if finding.rule == "X4"]
+        assert kinds == ["parent_not_covered"]
     with pytest.raises(ValueError, match="parent_column: there is no column 'state'"):
         twinedge.audit(frame, parent_column="state")
     with pytest.raises(TypeError, match="parent_column: expected a name, or 'COLUMN=KEY', not tuple"):

@@ -3,6 +3,7 @@
 use crate::output::{Failure, named};
 use crate::progress::busy;
 use indicatif::{ProgressBar, ProgressStyle};
+use std::ffi::OsString;
 use std::fs::File;
 use std::io::{self, BufReader, IsTerminal as _, Read as _};
 use std::path::{Path, PathBuf};
@@ -56,11 +57,16 @@ fn open_as_it_is(path: Option<&Path>, layer: Option<&str>) -> Result<Input, Fail
     Ok(Input { layer: layer.map(str::to_owned), ..input })
 }
 
-/// Refuses data on standard input, which would be ignored. Who pipes a map must not read the verdict on another one.
+/// Refuses data on standard input, which would be ignored: a map in a pipe must not get the verdict on the built-in map. Another argument may name
+/// standard input, as in `twinedge query overlay -`.
 fn refuse_piped() -> Result<(), Failure> {
     /// The time in which data arrive, if there are any. A pipe may be open with nothing in it.
     const PATIENCE: Duration = Duration::from_millis(200);
-    if io::stdin().is_terminal() {
+    let is_named = |arg: OsString| {
+        let text = arg.to_string_lossy();
+        ["-", "/dev/stdin"].contains(&text.rsplit('=').next().unwrap_or_default())
+    };
+    if io::stdin().is_terminal() || std::env::args_os().skip(1).any(is_named) {
         return Ok(());
     }
     let (sender, receiver) = sync_channel(1);

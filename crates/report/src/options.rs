@@ -257,7 +257,7 @@ pub enum OptionsError {
     #[error("{0}: there is no such option")]
     Unknown(String),
     /// A width, an area or a count is negative.
-    #[error("{0}: not a positive number")]
+    #[error("{0}: a negative number")]
     Negative(String),
     /// The value of an option has the wrong type.
     #[error("{0}: {1}")]

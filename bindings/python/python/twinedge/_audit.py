@@ -113,15 +113,17 @@ def audit_faces(
         for name, is_asked in in_space.items():
             if is_asked:
                 raise ValueError(f"{name}: this is about the places of the vertices, which `vertices` gives as an array")
-        points = np.zeros((_count("vertices", vertices, _MOST) or 0, 3))
+        count, points = _count("vertices", vertices, _MOST) or 0, None
     else:
+        _refuse_masked("vertices", vertices)
         points = np.ascontiguousarray(vertices, dtype=float)
+        count = len(points)
         if points.ndim != 2 or points.shape[1] != 3:
             raise ValueError(f"vertices: expected the shape (v, 3), not {points.shape}")
     claims = _mesh(
         sides=sides, simple=simple, closed=closed, used=used, components=components, borders=borders, genus=genus, **in_space
     )
-    told = _twinedge.audit_faces(points, corners, offsets, _options(list, **claims))
+    told = _twinedge.audit_faces(count, points, corners, offsets, _options(list, **claims))
     return Report._told(told, {"half_edge": Sides(offsets)})
 
 
@@ -154,13 +156,19 @@ def _properties(layer: Any, columns: Sequence[str]) -> list[str]:
         for name in columns:
             if name not in layer.columns:
                 raise ValueError(f"parent_column: there is no column {name!r}; there are {', '.join(map(str, layer.columns))}")
-        rows = [dict(zip(columns, row, strict=True)) for row in zip(*(layer[name].tolist() for name in columns), strict=True)]
+        given = [layer[name].astype(object).where(layer[name].notna(), None).tolist() for name in columns]
+        rows = [dict(zip(columns, row, strict=True)) for row in zip(*given, strict=True)]
     else:
         found = layer if isinstance(layer, dict) else getattr(layer, "__geo_interface__", {})
         if found.get("type") != "FeatureCollection":
             raise TypeError("parent_column: this is for frames, for collections of features with properties, and for files")
         rows = [feature.get("properties") or {} for feature in found["features"]]
-    return [json.dumps({name: row.get(name) for name in columns if row.get(name) == row.get(name)}, default=str) for row in rows]
+    return [json.dumps({name: _property(row.get(name)) for name in columns}, default=str) for row in rows]
+
+
+def _property(value: Any) -> Any:
+    """The value of a property. pandas keeps integers as floats where one is missing."""
+    return int(value) if isinstance(value, float) and value.is_integer() else value
 
 
 def _input(

@@ -32,6 +32,19 @@ fn inputs() -> Folder {
 }
 
 #[test]
+fn data_in_a_pipe_are_never_answered_by_the_verdict_on_the_built_in_map() {
+    let folder = Folder::new(&[("map.wkt", "POLYGON((2 46, 4 46, 4 48, 2 48, 2 46))\n")]);
+    let ran = folder.run("audit < map.wkt");
+    assert_eq!((ran.status, &*ran.out), (Some(2), ""));
+    assert_eq!(ran.err, "twinedge: there are data on standard input: give `-` as the file to read them\n");
+    assert!(folder.ok("audit - < map.wkt").contains("standard input"));
+    // Nothing is in this pipe.
+    assert!(folder.ok("audit").contains("built in"));
+    // Another argument names it.
+    assert!(folder.ok("query overlay - < map.wkt").contains("France"));
+}
+
+#[test]
 fn each_input_has_its_status_and_each_misuse_its_message() {
     inputs().transcript(
         "

@@ -32,7 +32,7 @@ fn a_wrong_option_is_named_as_it_was_given() {
     let wrong = [
         (json!({ "gapWith": 1 }), "gapWith: there is no such option"),
         (json!({ "gapwidth": 1 }), "gapwidth: there is no such option"),
-        (json!({ "lakeWidth": -1 }), "lakeWidth: not a positive number"),
+        (json!({ "lakeWidth": -1 }), "lakeWidth: a negative number"),
         (json!({ "gap_width": 1, "snap": 0 }), "snap: neither `auto` nor a positive number"),
         (json!({ "snap": "fine" }), "snap: neither `auto` nor a positive number"),
         (json!({ "coverage": 3 }), "coverage: invalid type: integer `3`, expected a boolean"),
