@@ -25,6 +25,10 @@ use clap_complete::Shell;
 use output::{Failure, Verdict};
 use std::process::ExitCode;
 
+#[cfg(feature = "full")]
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
 /// Audits, cleans, converts, certifies, queries and draws planar maps and meshes.
 #[derive(Debug, Parser)]
 #[command(name = "twinedge", version, propagate_version = true, arg_required_else_help = true)]

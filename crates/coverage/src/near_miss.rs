@@ -96,9 +96,13 @@ pub(crate) fn width_by(lengths: Vec<f64>) -> f64 {
 /// Returns the near misses up to a width. `spaces` contains the space of each unclaimed face searched for near misses, both by
 /// index. O(n log n + c log c) for c pairs of edges whose boxes come within the width.
 pub(super) fn near_misses(map: &PlanarMap, spaces: &FxHashMap<usize, usize>, width: f64) -> Vec<Finding> {
-    let claimed = map.dcel().faces().filter(|face| !spaces.contains_key(&face.index()));
-    let features = claimed.map(|face| (face.index(), features_of(map, face).collect::<Vec<_>>()));
-    let features: FxHashMap<usize, Vec<FeatureId>> = features.filter(|(_, features)| !features.is_empty()).collect();
+    let mut features: FxHashMap<usize, Vec<FeatureId>> = FxHashMap::default();
+    for h in map.dcel().half_edges().filter(|h| spaces.contains_key(&h.face().index())) {
+        let beside = h.twin().face();
+        if !spaces.contains_key(&beside.index()) {
+            features.entry(beside.index()).or_insert_with(|| features_of(map, beside).collect());
+        }
+    }
     near_misses_beside(map, spaces, &|h| features.get(&h.twin().face().index()).map_or(&[], Vec::as_slice), width)
 }
 

@@ -15,7 +15,7 @@ use twinedge_map::{FeatureId, PlanarMap};
 pub(super) fn overlaps(map: &PlanarMap, first_like: &[FeatureId]) -> Vec<Finding> {
     let mut claims: FxHashMap<usize, Vec<FeatureId>> = FxHashMap::default();
     let mut claimed = Vec::new();
-    for face in map.dcel().faces() {
+    for face in map.dcel().faces().filter(|face| features_of(map, *face).nth(1).is_some()) {
         let mut of: Vec<FeatureId> = features_of(map, face).map(|f| first_like[f.index()]).collect();
         of.dedup();
         of.sort_unstable();

@@ -3,41 +3,42 @@
 use super::crs::Crs;
 use super::each::Each;
 use super::error::{ReadError, WriteError};
-#[cfg(not(target_family = "wasm"))]
-use super::geojson_cut::read_parts;
-use super::json::Names;
-use super::json::{self, InDegrees};
+use super::geojson_cut::{Piece, read_parts};
+use super::geojson_feature::with_box;
+use super::json::{self, InDegrees, Names};
 use super::losses::is_reserved_in_json;
-use super::model::{Feature, Geometry, Header, Id, Layer, Members, Position, Shape, Value, json_number};
+use super::model::{Feature, Geometry, Header, Id, Layer, Position, Shape, Value, json_number};
+use crate::io::geojson::{Documents, Part};
 use ::geojson::{Feature as Parsed, Geometry as ParsedGeometry, GeometryValue, feature};
 use serde_json::Value as Json;
 use std::io::{self, Read, Write};
-// Keeps the WebAssembly module small.
-#[cfg(target_family = "wasm")]
-use crate::io::geojson::read_parts;
-use crate::io::geojson::{Documents, Part};
 
 /// Reads features, passing each to `each`.
 pub(super) fn read(reader: &mut dyn Read, documents: Documents, each: &mut Each<'_>) -> Result<Header, ReadError> {
     let mut header = Header::default();
     let mut names = Names::default();
     let mut in_degrees = InDegrees::default();
-    read_parts(reader, documents, |part| {
-        match part {
-            Part::Feature(parsed) => {
-                let feature = feature(*parsed, &mut names);
-                if let Some(geometry) = &feature.geometry {
-                    in_degrees.look_at(geometry);
+    read_parts(reader, documents, |piece| {
+        let feature = match piece {
+            Piece::Feature(text) => match text.feature(&mut names) {
+                Some(feature) => feature,
+                None => return Ok(false),
+            },
+            Piece::Part(Part::Feature(parsed)) => feature(*parsed, &mut names),
+            Piece::Part(Part::Member(name, member)) => {
+                match member {
+                    member if name == "crs" => header.crs = Some(Crs::of_member(member)),
+                    Json::String(text) if name == "name" => header.name = Some(text),
+                    member => drop(header.members.insert(name, member)),
                 }
-                each(feature)?;
+                return Ok(true);
             }
-            Part::Member(name, member) if name == "crs" => {
-                header.crs = Some(Crs::of_member(member));
-            }
-            Part::Member(name, Json::String(text)) if name == "name" => header.name = Some(text),
-            Part::Member(name, member) => drop(header.members.insert(name, member)),
+        };
+        if let Some(geometry) = &feature.geometry {
+            in_degrees.look_at(geometry);
         }
-        Ok::<_, ReadError>(())
+        each(feature)?;
+        Ok(true)
     })?;
     header.crs = header.crs.or_else(|| in_degrees.crs());
     Ok(header)
@@ -53,7 +54,7 @@ fn feature(parsed: Parsed, names: &mut Names) -> Feature {
         }),
         geometry: geometry.map(converted),
         attributes: attributes.map(|(name, value)| (names.get(&name), Value::of_json(value))).collect(),
-        members: members(bbox, foreign_members),
+        members: with_box(bbox, foreign_members.unwrap_or_default()),
     }
 }
 
@@ -85,13 +86,7 @@ fn converted(ParsedGeometry { bbox, value, foreign_members }: ParsedGeometry) ->
             Shape::Collection(geometries.into_iter().map(converted).collect())
         }
     };
-    json::geometry(shape, members(bbox, foreign_members))
-}
-
-/// Returns the foreign members, with the box.
-fn members(bbox: Option<Vec<f64>>, foreign: Option<Members>) -> Members {
-    let bbox = bbox.map(|bbox| ("bbox".to_owned(), bbox.into_iter().map(json_number).collect()));
-    bbox.into_iter().chain(foreign.into_iter().flatten()).collect()
+    json::geometry(shape, with_box(bbox, foreign_members.unwrap_or_default()))
 }
 
 /// Writes one object, with one feature per line.

@@ -1,8 +1,11 @@
 //! Common parts of GeoJSON and TopoJSON.
 
 use super::crs::Crs;
-use super::model::{Dimensions, Geometry, Members, Position, Shape};
-use rustc_hash::FxHashMap;
+use super::model::{Dimensions, Geometry, Members, Position, Shape, Value};
+use rustc_hash::{FxHashMap, FxHashSet};
+use serde::de::{Deserialize, Deserializer, Error, SeqAccess, Visitor};
+use std::borrow::Cow;
+use std::fmt;
 use std::sync::Arc;
 
 /// Creates a geometry, deriving its dimensions from the positions. A third number is a height; if positions differ in their
@@ -31,17 +34,66 @@ impl InDegrees {
     }
 }
 
+/// The names of columns, each stored once.
 #[derive(Debug, Default)]
-pub(super) struct Names(FxHashMap<Box<str>, Arc<str>>);
+pub(super) struct Names {
+    known: FxHashMap<Box<str>, Arc<str>>,
+    /// The names of the last row.
+    row: Vec<Arc<str>>,
+}
 
 impl Names {
     /// Returns the shared copy of a name. O(its length), expected.
     pub(super) fn get(&mut self, name: &str) -> Arc<str> {
-        if let Some(known) = self.0.get(name) {
+        if let Some(known) = self.known.get(name) {
             return known.clone();
         }
         let new: Arc<str> = name.into();
-        self.0.insert(name.into(), new.clone());
+        self.known.insert(name.into(), new.clone());
         new
     }
+
+    /// Shares the names of a row, which are mostly those of the row before it; `None` if a name is repeated.
+    pub(super) fn of_row(&mut self, row: Vec<(Cow<'_, str>, Value)>) -> Option<Vec<(Arc<str>, Value)>> {
+        let is_like_last = row.len() == self.row.len() && row.iter().zip(&self.row).all(|((a, _), b)| **a == **b);
+        if !is_like_last {
+            self.row = row.iter().map(|(name, _)| self.get(name)).collect();
+            let distinct: FxHashSet<&str> = self.row.iter().map(|name| &**name).collect();
+            if distinct.len() < self.row.len() {
+                self.row.clear();
+                return None;
+            }
+        }
+        Some(self.row.iter().cloned().zip(row.into_iter().map(|(_, value)| value)).collect())
+    }
+}
+
+impl<'de> Deserialize<'de> for Position {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Numbers;
+        impl<'de> Visitor<'de> for Numbers {
+            type Value = Position;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a position of two numbers or more")
+            }
+
+            fn visit_seq<A: SeqAccess<'de>>(self, mut numbers: A) -> Result<Position, A::Error> {
+                let x = numbers.next_element()?.ok_or_else(|| A::Error::invalid_length(0, &self))?;
+                position(x, numbers)
+            }
+        }
+        deserializer.deserialize_seq(Numbers)
+    }
+}
+
+/// Returns the position that begins with this number.
+pub(super) fn position<'de, A: SeqAccess<'de>>(x: f64, mut numbers: A) -> Result<Position, A::Error> {
+    let short = || A::Error::invalid_length(1, &"a position of two numbers or more");
+    let y = numbers.next_element()?.ok_or_else(short)?;
+    let mut more = Vec::new();
+    while let Some(number) = numbers.next_element()? {
+        more.push(number);
+    }
+    Ok(Position { x, y, more: more.into() })
 }

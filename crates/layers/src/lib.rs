@@ -58,10 +58,12 @@ mod files;
 mod flatgeobuf;
 #[cfg(feature = "geojson")]
 mod geojson;
-#[cfg(all(feature = "geojson", not(target_family = "wasm")))]
+#[cfg(feature = "geojson")]
 mod geojson_cut;
 #[cfg(feature = "geojson")]
 mod geojson_edit;
+#[cfg(feature = "geojson")]
+mod geojson_feature;
 #[cfg(feature = "geojson")]
 mod geojson_file;
 #[cfg(feature = "geojson")]

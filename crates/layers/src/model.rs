@@ -4,7 +4,7 @@ use super::crs::Crs;
 use std::collections::HashSet;
 use std::sync::Arc;
 
-/// A position: x, y, and the further dimensions of the file.
+/// A position: x, y, and the further dimensions of the file. It is deserialized from an array of two numbers or more.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Position {
     /// The first coordinate.

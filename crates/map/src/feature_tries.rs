@@ -22,7 +22,7 @@ const LEAF_BITS: u32 = 6;
 const DEPTH: usize = (u32::BITS - LEAF_BITS) as usize + 1;
 
 /// Part of a set. All its features share the upper bits of `prefix`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug)]
 enum Node {
     Leaf {
         prefix: u32,
@@ -44,20 +44,47 @@ impl Node {
         }
     }
 
-    fn hash(self) -> u64 {
-        let both = |a: u32, b: u32| u64::from(a) << 32 | u64::from(b);
-        match self {
-            Self::Leaf { prefix, bits } => hash([prefix.into(), bits]),
-            Self::Branch { prefix, bit, sides: [low, high] } => hash([both(prefix, bit), both(low.0, high.0)]),
-        }
-    }
-
     /// Returns the number of lower bits in which the node's features may differ.
     const fn width(self) -> u32 {
         match self {
             Self::Leaf { .. } => LEAF_BITS,
             Self::Branch { bit, .. } => bit + 1,
         }
+    }
+}
+
+/// A node as it is stored. Maps have about one for each edge.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Packed {
+    /// The prefix. Its lower bits, which are 0, hold the bit of a branch, and [`LEAF`](Self::LEAF) in a leaf.
+    head: u32,
+    /// The halves of the bits of a leaf, or the sides of a branch.
+    body: [u32; 2],
+}
+
+impl Packed {
+    /// More than any bit.
+    const LEAF: u32 = (1 << LEAF_BITS) - 1;
+
+    const fn new(node: Node) -> Self {
+        match node {
+            Node::Leaf { prefix, bits } => Self { head: prefix | Self::LEAF, body: [bits as u32, (bits >> 32) as u32] },
+            Node::Branch { prefix, bit, sides: [low, high] } => Self { head: prefix | bit, body: [low.0, high.0] },
+        }
+    }
+
+    fn node(self) -> Node {
+        let [a, b] = self.body;
+        let prefix = above(self.head, LEAF_BITS);
+        match self.head & Self::LEAF {
+            Self::LEAF => Node::Leaf { prefix, bits: u64::from(b) << 32 | u64::from(a) },
+            bit => Node::Branch { prefix, bit, sides: [SetId(a), SetId(b)] },
+        }
+    }
+
+    fn hash(self) -> u64 {
+        let [a, b] = self.body;
+        hash([self.head.into(), u64::from(b) << 32 | u64::from(a)])
     }
 }
 
@@ -71,13 +98,13 @@ pub(super) enum SetOperation {
 #[derive(Clone, Debug)]
 pub(super) struct FeatureTries {
     /// Indexed by the number of the set.
-    nodes: Vec<Node>,
+    nodes: Vec<Packed>,
     numbers: NumberTable,
 }
 
 impl Default for FeatureTries {
     fn default() -> Self {
-        Self { nodes: vec![Node::Leaf { prefix: 0, bits: 0 }], numbers: NumberTable::default() }
+        Self { nodes: vec![Packed::new(Node::Leaf { prefix: 0, bits: 0 })], numbers: NumberTable::default() }
     }
 }
 
@@ -122,7 +149,7 @@ impl FeatureTries {
                 (true, false) => a,
             };
         }
-        let (one, other) = (self.nodes[a.0 as usize], self.nodes[b.0 as usize]);
+        let [one, other] = [a, b].map(|set| self.nodes[set.0 as usize].node());
         let width = one.width().max(other.width());
         if above(one.prefix(), width) != above(other.prefix(), width) {
             return if all { self.side_by_side(a, b) } else { EMPTY };
@@ -171,7 +198,7 @@ impl FeatureTries {
 
     /// Returns the union of two sets whose prefixes differ.
     fn side_by_side(&mut self, a: SetId, b: SetId) -> SetId {
-        let [one, other] = [a, b].map(|set| self.nodes[set.0 as usize].prefix());
+        let [one, other] = [a, b].map(|set| self.nodes[set.0 as usize].node().prefix());
         let bit = (one ^ other).ilog2();
         let sides = if one < other { [a, b] } else { [b, a] };
         self.branch(above(one, bit + 1), bit, sides)
@@ -190,6 +217,7 @@ impl FeatureTries {
 
     fn intern(&mut self, node: Node) -> SetId {
         let Self { nodes, numbers } = self;
+        let node = Packed::new(node);
         if let Some(known) = numbers.find(node.hash(), |number| nodes[number as usize] == node) {
             return SetId(known);
         }
@@ -202,7 +230,7 @@ impl FeatureTries {
 /// An iterator over the features of a set, in order.
 #[derive(Clone)]
 pub(super) struct Members<'a> {
-    nodes: &'a [Node],
+    nodes: &'a [Packed],
     /// The nodes after the current leaf, the next one last.
     rest: [SetId; DEPTH],
     /// The number of entries of `rest` in use.
@@ -218,7 +246,7 @@ impl Iterator for Members<'_> {
     fn next(&mut self) -> Option<FeatureId> {
         while self.bits == 0 {
             self.left = self.left.checked_sub(1)?;
-            match self.nodes[self.rest[self.left].0 as usize] {
+            match self.nodes[self.rest[self.left].0 as usize].node() {
                 Node::Leaf { prefix, bits } => (self.prefix, self.bits) = (prefix, bits),
                 Node::Branch { sides: [low, high], .. } => {
                     self.rest[self.left] = high;

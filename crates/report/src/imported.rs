@@ -4,12 +4,12 @@ use crate::error::Error;
 use crate::input::Input;
 use crate::noted::{Keep, Noted};
 use crate::options::MapOptions;
-use crate::read_ahead::{HandOn, Take, read_ahead};
+use crate::read_ahead::{Take, read_ahead};
 use crate::shelf::Shelf;
 use twinedge_coverage::insert_touches;
 use twinedge_geometry::noding::Snap;
 use twinedge_layers::io::ReadSummary;
-use twinedge_layers::{Crs, Feature as LayerFeature, Format, Header, Layer, ReadError, read, to_map};
+use twinedge_layers::{Crs, Each, Format, Header, Layer, ReadError, read, to_map};
 use twinedge_map::{BuildSummary, Builder, Feature, Noding, PlanarMap, UnmatchedVertex};
 
 /// A map, with notes on its input.
@@ -165,7 +165,7 @@ impl Gathered {
         let Input { name, mut reader, path, not_finite, kept: _kept, .. } = input;
         let mut noted = Noted::new(options.name_from.clone());
         noted.not_finite = not_finite;
-        let read = |each: &mut HandOn<'_, LayerFeature>| read(&mut reader, path.as_deref(), &read_options, each);
+        let read = |each: &mut Each<'_>| read(&mut reader, path.as_deref(), &read_options, each);
         Self::of(name, orients_rings, options, keep, gather(read, noted, keep, each)?)
     }
 
@@ -176,7 +176,7 @@ impl Gathered {
         keep: Keep<'_>,
         each: &mut Take<'_>,
     ) -> Result<Self, Error> {
-        let read = |each: &mut HandOn<'_, LayerFeature>| {
+        let read = |each: &mut Each<'_>| {
             layer.features.into_iter().try_for_each(each)?;
             Ok(layer.header)
         };
@@ -204,21 +204,20 @@ impl Gathered {
 
 /// Reads features, records the notes on each, and hands it on.
 fn gather(
-    read: impl FnOnce(&mut HandOn<'_, LayerFeature>) -> Result<Header, ReadError>,
+    read: impl FnOnce(&mut Each<'_>) -> Result<Header, ReadError>,
     mut noted: Noted,
     keep: Keep<'_>,
     each: &mut Take<'_>,
 ) -> Result<(ReadSummary, Noted, Header), ReadError> {
     let mut summary = ReadSummary::default();
     let header = read_ahead(each, |hand_on| {
-        let mut note = |feature: &mut LayerFeature| {
-            let mut of_map = to_map(feature, &mut summary);
+        read(&mut |mut feature| {
+            let mut of_map = to_map(&feature, &mut summary);
             // A large geometry is not kept twice.
             let has_geometry = feature.geometry.take().is_some();
-            noted.note(&mut of_map, feature, has_geometry, keep);
+            noted.note(&mut of_map, &feature, has_geometry, keep);
             hand_on(of_map)
-        };
-        read_ahead(&mut note, read)
+        })
     })?;
     summary.other_crs += usize::from(header.crs.as_ref().is_some_and(Crs::is_other));
     Ok((summary, noted, header))

@@ -9,16 +9,16 @@ use twinedge_layers::ReadError;
 use twinedge_map::Feature;
 
 /// Takes a feature or refuses it. What remains in the value is dropped.
-pub(crate) type Take<'a, T = Feature> = dyn FnMut(&mut T) -> Result<(), ReadError> + Send + 'a;
+pub(crate) type Take<'a> = dyn FnMut(&mut Feature) -> Result<(), ReadError> + Send + 'a;
 
 /// Hands a feature on, unless an earlier one was refused.
-pub(crate) type HandOn<'a, T> = dyn FnMut(T) -> Result<(), ReadError> + Send + 'a;
+pub(crate) type HandOn<'a> = dyn FnMut(Feature) -> Result<(), ReadError> + Send + 'a;
 
 /// Reads features, and hands each to `take`, in order.
 #[cfg(target_family = "wasm")]
-pub(crate) fn read_ahead<T, R>(
-    take: &mut Take<'_, T>,
-    read: impl FnOnce(&mut HandOn<'_, T>) -> Result<R, ReadError>,
+pub(crate) fn read_ahead<R>(
+    take: &mut Take<'_>,
+    read: impl FnOnce(&mut HandOn<'_>) -> Result<R, ReadError>,
 ) -> Result<R, ReadError> {
     read(&mut |mut feature| take(&mut feature))
 }

@@ -3,7 +3,7 @@
 use super::super::error::{Cause, Place, ReadError};
 use super::super::model::{Line, Members, Position};
 use crate::io::{Format, TextPlace};
-use serde::de::{self, Deserialize, Deserializer, MapAccess, SeqAccess, Visitor};
+use serde::de::{self, Deserialize, Deserializer, MapAccess, Visitor};
 use serde_json::Value as Json;
 use serde_json::error::Category;
 use std::fmt;
@@ -117,7 +117,7 @@ impl<'de> Deserialize<'de> for Raw {
                     let is_repeated = match name.as_str() {
                         "type" => kind.replace(map.next_value::<String>()?).is_some(),
                         "transform" => transform.replace(map.next_value::<Option<Transform>>()?).is_some(),
-                        "arcs" => arcs.replace(map.next_value::<Arcs>()?.0).is_some(),
+                        "arcs" => arcs.replace(map.next_value::<Vec<Line>>()?).is_some(),
                         "objects" => objects.replace(map.next_value::<Members>()?).is_some(),
                         _ => members.insert(name.clone(), map.next_value::<Json>()?).is_some(),
                     };
@@ -141,41 +141,5 @@ impl<'de> Deserialize<'de> for Raw {
             }
         }
         deserializer.deserialize_map(Topology)
-    }
-}
-
-#[derive(serde::Deserialize)]
-#[serde(transparent)]
-struct Arcs(#[serde(deserialize_with = "lines")] Vec<Line>);
-
-fn lines<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<Line>, D::Error> {
-    let arcs = Vec::<Vec<PositionText>>::deserialize(deserializer)?;
-    Ok(arcs.into_iter().map(|arc| arc.into_iter().map(|PositionText(position)| position).collect()).collect())
-}
-
-struct PositionText(Position);
-
-impl<'de> Deserialize<'de> for PositionText {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct Numbers;
-        impl<'de> Visitor<'de> for Numbers {
-            type Value = PositionText;
-
-            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("a position of two numbers or more")
-            }
-
-            fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<PositionText, A::Error> {
-                let short = |n| move || de::Error::invalid_length(n, &"a position of two numbers or more");
-                let x = seq.next_element()?.ok_or_else(short(0))?;
-                let y = seq.next_element()?.ok_or_else(short(1))?;
-                let mut more = Vec::new();
-                while let Some(number) = seq.next_element()? {
-                    more.push(number);
-                }
-                Ok(PositionText(Position { x, y, more: more.into() }))
-            }
-        }
-        deserializer.deserialize_seq(Numbers)
     }
 }

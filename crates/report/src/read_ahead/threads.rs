@@ -7,12 +7,9 @@
 //! ```
 
 use super::{HandOn, Take};
-use serde_json::Value as Json;
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::thread::{Builder, scope};
-use twinedge_layers::{
-    Feature as LayerFeature, Geometry, Id, Line, Members, Position, ReadError, Shape as LayerShape, Value,
-};
+use twinedge_layers::ReadError;
 use twinedge_map::{Feature, Shape};
 
 /// The number of points that fills a batch.
@@ -24,88 +21,26 @@ const AHEAD: usize = 1 << 8;
 /// The number of bytes with the weight of a point.
 const POINT: usize = 16;
 
-/// A value that can be read ahead.
-pub(crate) trait Ahead: Send {
-    /// The number of points, plus one for the feature itself, each shape, ring and attribute, and each piece of text.
-    fn weight(&self) -> usize;
-}
-
-fn of_text(text: &str) -> usize {
-    1 + text.len() / POINT
-}
-
-fn of_json(value: &Json) -> usize {
-    match value {
-        Json::String(text) => of_text(text),
-        Json::Array(values) => 1 + values.iter().map(of_json).sum::<usize>(),
-        Json::Object(members) => 1 + of_members(members),
-        _ => 1,
-    }
-}
-
-fn of_members(members: &Members) -> usize {
-    members.iter().map(|(name, value)| of_text(name) + of_json(value)).sum::<usize>()
-}
-
-impl Ahead for Feature {
-    fn weight(&self) -> usize {
-        let of_shape = |shape: &Shape| match shape {
-            Shape::Polygon(rings) => 1 + rings.iter().map(|ring| 1 + ring.len()).sum::<usize>(),
-            Shape::Line(points) => 1 + points.len(),
-            Shape::Point(_) => 1,
-        };
-        let texts = self.name.iter().chain(&self.id).map(|text| text.len() / POINT);
-        1 + texts.sum::<usize>() + self.shapes.iter().map(of_shape).sum::<usize>()
-    }
-}
-
-impl Ahead for LayerFeature {
-    fn weight(&self) -> usize {
-        const fn of_position(position: &Position) -> usize {
-            1 + position.more.len()
-        }
-        fn of_line(line: &Line) -> usize {
-            1 + line.iter().map(of_position).sum::<usize>()
-        }
-        fn of_lines(lines: &[Line]) -> usize {
-            1 + lines.iter().map(of_line).sum::<usize>()
-        }
-        fn of(geometry: &Geometry) -> usize {
-            let of_shape = match &geometry.shape {
-                LayerShape::Point(Some(point)) => of_position(point),
-                LayerShape::MultiPoint(points) => 1 + points.iter().flatten().map(of_position).sum::<usize>(),
-                LayerShape::Line(points) => of_line(points),
-                LayerShape::MultiLine(lines) | LayerShape::Polygon(lines) => of_lines(lines),
-                LayerShape::MultiPolygon(polygons) => 1 + polygons.iter().map(|lines| of_lines(lines)).sum::<usize>(),
-                LayerShape::Collection(geometries) => 1 + geometries.iter().map(of).sum::<usize>(),
-                _ => 1,
-            };
-            of_shape + of_members(&geometry.members)
-        }
-        let of_value = |value: &Value| match value {
-            Value::Text(text) | Value::Date(text) | Value::DateTime(text) => of_text(text),
-            Value::Bytes(bytes) => 1 + bytes.len() / POINT,
-            Value::Json(value) => of_json(value),
-            _ => 1,
-        };
-        let of_attributes = self.attributes.iter().map(|(_, value)| of_value(value)).sum::<usize>();
-        let of_id = match &self.id {
-            Some(Id::Text(text)) => of_text(text),
-            _ => 0,
-        };
-        1 + of_id + of_attributes + of_members(&self.members) + self.geometry.as_ref().map_or(0, of)
-    }
+/// Returns the number of points, plus one for the feature itself, each shape and ring, and each piece of text.
+fn weight(feature: &Feature) -> usize {
+    let of_shape = |shape: &Shape| match shape {
+        Shape::Polygon(rings) => 1 + rings.iter().map(|ring| 1 + ring.len()).sum::<usize>(),
+        Shape::Line(points) => 1 + points.len(),
+        Shape::Point(_) => 1,
+    };
+    let texts = feature.name.iter().chain(&feature.id).map(|text| text.len() / POINT);
+    1 + texts.sum::<usize>() + feature.shapes.iter().map(of_shape).sum::<usize>()
 }
 
 /// Reads features and hands each to `take`, in order, on a separate thread if possible. The result is as if each feature were taken before the next
 /// is read: if a feature is refused and a later one cannot be read, the error is the refusal.
-pub(crate) fn read_ahead<T: Ahead, R>(
-    take: &mut Take<'_, T>,
-    read: impl FnOnce(&mut HandOn<'_, T>) -> Result<R, ReadError>,
+pub(crate) fn read_ahead<R>(
+    take: &mut Take<'_>,
+    read: impl FnOnce(&mut HandOn<'_>) -> Result<R, ReadError>,
 ) -> Result<R, ReadError> {
     let ahead = scope(|scope| {
-        let (sender, receiver) = sync_channel::<Vec<T>>(AHEAD);
-        let (give_back, given_back) = sync_channel::<Vec<T>>(AHEAD);
+        let (sender, receiver) = sync_channel::<Vec<Feature>>(AHEAD);
+        let (give_back, given_back) = sync_channel::<Vec<Feature>>(AHEAD);
         let taker = || {
             let give_back = give_back;
             receiver.into_iter().try_for_each(|mut batch| {
@@ -128,18 +63,18 @@ pub(crate) fn read_ahead<T: Ahead, R>(
 }
 
 /// Features that are handed over and come back.
-struct Batches<T> {
-    sender: SyncSender<Vec<T>>,
+struct Batches {
+    sender: SyncSender<Vec<Feature>>,
     /// Batches that come back: memory is freed on the thread that allocated it, so that the threads do not wait for each other.
-    given_back: Receiver<Vec<T>>,
-    batch: Vec<T>,
+    given_back: Receiver<Vec<Feature>>,
+    batch: Vec<Feature>,
     weight: usize,
 }
 
-impl<T: Ahead> Batches<T> {
-    fn put(&mut self, feature: T) -> Result<(), ReadError> {
+impl Batches {
+    fn put(&mut self, feature: Feature) -> Result<(), ReadError> {
         self.given_back.try_iter().for_each(drop);
-        self.weight += feature.weight();
+        self.weight += weight(&feature);
         self.batch.push(feature);
         while self.weight >= BATCH {
             self.hand_over()?;
@@ -159,7 +94,6 @@ impl<T: Ahead> Batches<T> {
 mod tests {
     use super::*;
     use std::sync::atomic::{AtomicUsize, Ordering};
-    use twinedge_layers::{ReadOptions, read_layer};
 
     fn named(number: usize) -> Feature {
         Feature { name: Some(number.to_string()), ..Feature::default() }
@@ -229,31 +163,7 @@ mod tests {
 
     #[test]
     fn all_that_takes_memory_weighs() {
-        let of = |feature: &str| -> usize {
-            let text = format!(r#"{{"type":"FeatureCollection","features":[{feature}]}}"#);
-            let read = read_layer(&mut text.as_bytes(), None, &ReadOptions::default()).expect("it is GeoJSON");
-            read.features.iter().map(Ahead::weight).sum()
-        };
-        let long = "x".repeat(100 * POINT);
-        assert_eq!(of(r#"{"type":"Feature","geometry":null}"#), 1);
-        for (feature, weight) in [
-            (r#"{"type":"Feature","geometry":{"type":"MultiPoint","coordinates":[[1,2],[3,4,5,6]]}}"#.to_owned(), 6),
-            (format!(r#"{{"type":"Feature","geometry":null,"properties":{{"a":"{long}"}}}}"#), 102),
-            (format!(r#"{{"type":"Feature","geometry":null,"properties":{{"a":{{"b":["{long}"]}}}}}}"#), 105),
-            (r#"{"type":"Feature","geometry":{"type":"Point","coordinates":[1,2,3,4,5]}}"#.to_owned(), 5),
-            (r#"{"type":"Feature","geometry":null,"properties":{"a":[{},{},{}]}}"#.to_owned(), 5),
-            (format!(r#"{{"type":"Feature","geometry":null,"id":"{long}"}}"#), 102),
-            (format!(r#"{{"type":"Feature","geometry":null,"{long}":[[]]}}"#), 104),
-            (
-                format!(
-                    r#"{{"type":"Feature","geometry":{{"type":"GeometryCollection","geometries":[{{"type":"Point","coordinates":[1,2],"a":"{long}"}}]}}}}"#
-                ),
-                105,
-            ),
-        ] {
-            assert_eq!(of(&feature), weight);
-        }
-        let named = Feature { name: Some(long.clone()), id: Some(long), ..Feature::default() };
-        assert_eq!(named.weight(), 201);
+        let long = Some("x".repeat(100 * POINT));
+        assert_eq!(weight(&Feature { name: long.clone(), id: long, ..Feature::default() }), 201);
     }
 }
