@@ -94,7 +94,7 @@ pub fn accepts<V: View + ?Sized>(view: &V, expectation: &Expectation) -> bool {
 /// assert_eq!(report, validate(&table, &expectation, Collect::All));
 /// # Ok::<(), twinedge::validate::ParseTableError>(())
 /// ```
-pub fn rule_by_rule<V: View + ?Sized>(view: &V, expectation: &Expectation, collect: Collect) -> Report {
+pub fn rule_by_rule(view: &dyn View, expectation: &Expectation, collect: Collect) -> Report {
     judge(view, expectation, collect, |_| None)
 }
 

@@ -23,12 +23,12 @@ fn agreed<V: View + Debug>(
 
 /// Asserts that both validators agree, and returns the first broken rule.
 pub(crate) fn agree<V: View + Debug>(view: &V, expectation: Expectation) -> Option<Rule> {
-    agreed(compare::<dyn View>(view, &expectation), view, expectation)
+    agreed(compare(view, &expectation), view, expectation)
 }
 
 /// Asserts agreement on the first broken rule only, for very many structures.
 pub(crate) fn agree_on_first<V: View + Debug>(view: &V, expectation: Expectation) -> Option<Rule> {
-    agreed(compare_first::<dyn View>(view, &expectation), view, expectation)
+    agreed(compare_first(view, &expectation), view, expectation)
 }
 
 /// Asserts that these are all violations, of one rule, that the first of them is found first, and that the reference also

@@ -59,7 +59,7 @@ fn the_reference_states_each_rule_in_the_same_words() {
         let head = comment(&text, "///", &format!("{rule} "));
         assert_eq!(head, Some(format!("{rule} {}: {}.", rule.name(), rule.statement())));
         assert!(
-            text.contains(&format!("\nfn {}<", rule.id().to_lowercase())),
+            text.contains(&format!("\nfn {}(", rule.id().to_lowercase())),
             "the reference has no function for {rule}"
         );
     }

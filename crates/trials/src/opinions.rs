@@ -86,7 +86,7 @@ impl std::error::Error for Disagreement {}
 /// assert_eq!(compare(&table, &Expectation::plane()), Ok(Some(Rule::V1)));
 /// # Ok::<(), twinedge::validate::ParseTableError>(())
 /// ```
-pub fn compare<V: View + ?Sized>(view: &V, expectation: &Expectation) -> Result<Option<Rule>, Disagreement> {
+pub fn compare(view: &dyn View, expectation: &Expectation) -> Result<Option<Rule>, Disagreement> {
     let report = validate(view, expectation, Collect::AtMost(0));
     let broken = broken_rules(view, expectation);
     disagreement(&report, &broken).map_or(Ok(broken.first().copied()), Err)
@@ -96,7 +96,7 @@ pub fn compare<V: View + ?Sized>(view: &V, expectation: &Expectation) -> Result<
 ///
 /// # Errors
 /// [`Disagreement`] if they differ.
-pub fn compare_first<V: View + ?Sized>(view: &V, expectation: &Expectation) -> Result<Option<Rule>, Disagreement> {
+pub fn compare_first(view: &dyn View, expectation: &Expectation) -> Result<Option<Rule>, Disagreement> {
     let report = validate(view, expectation, Collect::AtMost(0));
     let reference = first_broken_rule(view, expectation);
     first(&report, reference).map_or(Ok(reference), Err)

@@ -19,7 +19,7 @@ use alloc::vec::Vec;
 /// table.faces.push(Some(FaceRow::default()));
 /// assert_eq!(broken_rules(&table, &Expectation::plane()), [Rule::F1]);
 /// ```
-pub fn broken_rules<V: View + ?Sized>(view: &V, expectation: &Expectation) -> Vec<Rule> {
+pub fn broken_rules(view: &dyn View, expectation: &Expectation) -> Vec<Rule> {
     let s = Structure::new(view, *expectation);
     rules().into_iter().filter(|(_, holds)| !holds(&s)).map(|(rule, _)| rule).collect()
 }
@@ -35,7 +35,7 @@ pub fn broken_rules<V: View + ?Sized>(view: &V, expectation: &Expectation) -> Ve
 /// assert_eq!(first_broken_rule(&table, &Expectation::plane()), Some(Rule::L1));
 /// # Ok::<(), twinedge::validate::ParseTableError>(())
 /// ```
-pub fn first_broken_rule<V: View + ?Sized>(view: &V, expectation: &Expectation) -> Option<Rule> {
+pub fn first_broken_rule(view: &dyn View, expectation: &Expectation) -> Option<Rule> {
     first_broken_of(view, expectation, Rule::ALL)
 }
 
@@ -52,7 +52,7 @@ pub fn first_broken_rule<V: View + ?Sized>(view: &V, expectation: &Expectation) 
 /// assert_eq!(first_broken_of(&table, &Expectation::plane(), &[Rule::L2, Rule::T3, Rule::L1]), Some(Rule::T3));
 /// # Ok::<(), twinedge::validate::ParseTableError>(())
 /// ```
-pub fn first_broken_of<V: View + ?Sized>(view: &V, expectation: &Expectation, order: &[Rule]) -> Option<Rule> {
+pub fn first_broken_of(view: &dyn View, expectation: &Expectation, order: &[Rule]) -> Option<Rule> {
     let s = Structure::new(view, *expectation);
     let statements = rules();
     let is_broken = |rule: &Rule| statements.iter().any(|(stated, holds)| stated == rule && !holds(&s));
@@ -60,9 +60,9 @@ pub fn first_broken_of<V: View + ?Sized>(view: &V, expectation: &Expectation, or
 }
 
 /// A rule, and the function that decides whether it holds.
-type Statement<'a, V> = (Rule, fn(&Structure<'a, V>) -> bool);
+type Statement<'a> = (Rule, fn(&Structure<'a>) -> bool);
 
-fn rules<'a, V: View + ?Sized>() -> [Statement<'a, V>; 22] {
+fn rules<'a>() -> [Statement<'a>; 22] {
     [
         (Rule::R1, r1),
         (Rule::L1, l1),
@@ -95,7 +95,7 @@ fn rules<'a, V: View + ?Sized>() -> [Statement<'a, V>; 22] {
 ///
 /// The rule is also broken if all lists together have more inner boundary components than twice the number of boundary components
 /// plus 16: the fast validator stops reading there. Without records for boundary components, vertices and half-edges count.
-fn r1<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
+fn r1(s: &Structure<'_>) -> bool {
     let vertex = |link| s.vertices.contains(&link);
     let half_edge = |link| s.half_edges.contains(&link);
     let boundary = |link| s.boundaries.contains(&link);
@@ -134,14 +134,14 @@ fn r1<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
 }
 
 /// L1 twin: `twin(twin(h)) = h` and `twin(h) ≠ h`.
-fn l1<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
+fn l1(s: &Structure<'_>) -> bool {
     s.half_edges.iter().all(|&h| s.on_border(h) || s.twin(s.twin(h)) == h && s.twin(h) != h)
 }
 
 /// L2 next/prev: `prev(next(h)) = h` and `next(prev(h)) = h`.
 ///
 /// Without `prev`: no two half-edges have the same next.
-fn l2<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
+fn l2(s: &Structure<'_>) -> bool {
     if s.lacks(Part::Prev) {
         s.half_edges.iter().all(|&g| s.half_edges.iter().all(|&h| g == h || s.next(g) != s.next(h)))
     } else {
@@ -150,17 +150,17 @@ fn l2<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
 }
 
 /// L3 target: `origin(next(h)) = origin(twin(h))`.
-fn l3<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
+fn l3(s: &Structure<'_>) -> bool {
     s.half_edges.iter().all(|&h| s.on_border(h) || s.origin(s.next(h)) == s.origin(s.twin(h)))
 }
 
 /// V1 leaving: the half-edge kept by a vertex leaves that vertex.
-fn v1<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
+fn v1(s: &Structure<'_>) -> bool {
     s.vertices.iter().all(|&v| s.leaving(v).is_none() || s.origin(s.leaving(v)) == v)
 }
 
 /// V2 rotation: the rotation of a vertex is all half-edges with that origin.
-fn v2<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
+fn v2(s: &Structure<'_>) -> bool {
     s.half_edges.iter().all(|&h| s.rotation(h) == s.all_leaving(s.origin(h)))
 }
 
@@ -168,7 +168,7 @@ fn v2<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
 ///
 /// So the half-edges of a component are the cycle of its start, which is empty if it starts at a vertex. Without records for
 /// boundary components: the face is constant along `next`, and a face lists only half-edges of its own.
-fn b1<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
+fn b1(s: &Structure<'_>) -> bool {
     match s.says {
         Says::Nothing => true,
         Says::Boundary => {
@@ -197,7 +197,7 @@ fn b1<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
 /// No component starts at other vertices, and they name none. Without a record of the unbounded face, an isolated vertex may lie
 /// there, and then no component starts at it. Without records for boundary components, the list entries of the faces take their
 /// place.
-fn b2<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
+fn b2(s: &Structure<'_>) -> bool {
     s.lacks(Part::Holes)
         || s.vertices.iter().all(|&v| {
             let at_v = |start| matches!(start, Some(Start::Vertex(u)) if Some(u) == v);
@@ -217,7 +217,7 @@ fn b2<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
 /// F1 outer: a bounded face has exactly one outer boundary component, a cycle; the one unbounded face has none.
 ///
 /// A face stores one link for it, so there are never two. It is a cycle: an isolated vertex encloses nothing.
-fn f1<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
+fn f1(s: &Structure<'_>) -> bool {
     let is_unbounded = |f: &&Link| !s.entries().iter().any(|e| e.face == **f && e.is_outer());
     let unbounded = s.faces.iter().filter(is_unbounded).count();
     s.lacks(Part::Faces)
@@ -229,7 +229,7 @@ fn f1<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
 ///
 /// Without records for boundary components: every cycle with a face is listed exactly once, a cycle without one at most once (and
 /// then B1 is broken).
-fn f2<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
+fn f2(s: &Structure<'_>) -> bool {
     match s.says {
         Says::Nothing => true,
         Says::Boundary => s.boundaries.iter().all(|&b| {
@@ -252,7 +252,7 @@ fn f2<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
 /// All its other boundary components are outer.
 ///
 /// It lacks one if its outside has no record: at an open boundary, or without a record of the unbounded face.
-fn t1<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
+fn t1(s: &Structure<'_>) -> bool {
     !s.has_containment()
         || s.components().iter().all(|c| {
             let inner = s.entries().iter().filter(|e| !e.is_outer() && c.contains(&s.vertex_at(e.start))).count();
@@ -264,7 +264,7 @@ fn t1<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
 ///
 /// A component lies in a face, and a face is bounded by a component: no component may lie inside itself, directly or through
 /// others.
-fn t2<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
+fn t2(s: &Structure<'_>) -> bool {
     if !s.has_containment() {
         return true;
     }
@@ -281,7 +281,7 @@ fn t2<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
 /// T3 Euler: per component `V − E + cycles = 2 − 2g`, with `g = 0` in the plane.
 ///
 /// Elsewhere `g ≥ 0`.
-fn t3<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
+fn t3(s: &Structure<'_>) -> bool {
     s.components().iter().all(|c| {
         let (vertices, edges, cycles) = (c.len(), s.edges(c).len(), s.cycles(c));
         match s.expect.surface_kind() {
@@ -292,7 +292,7 @@ fn t3<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
 }
 
 /// T4 bounds: a simple map with `V ≥ 3` has `E ≤ 3V − 6` and `F ≤ 2V − 4`.
-fn t4<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
+fn t4(s: &Structure<'_>) -> bool {
     let (vertices, edges, faces) = (s.vertices.len(), s.all_edges().len(), s.faces.len());
     s.expect.surface_kind() != Surface::Plane
         || !s.is_simple()
@@ -301,19 +301,19 @@ fn t4<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
 }
 
 /// M1 used: some half-edge leaves every vertex.
-fn m1<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
+fn m1(s: &Structure<'_>) -> bool {
     !s.expect.asks_for(Rule::M1) || s.vertices.iter().all(|&v| !s.all_leaving(v).is_empty())
 }
 
 /// M2 simple: no edge is a loop, and no two edges join the same vertices.
-fn m2<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
+fn m2(s: &Structure<'_>) -> bool {
     !s.expect.asks_for(Rule::M2) || s.is_simple()
 }
 
 /// M3 sides: every bounded face has the expected number of sides.
 ///
 /// The sides of a face are the half-edges that bound it. Without faces, each cycle counts as a face.
-fn m3<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
+fn m3(s: &Structure<'_>) -> bool {
     let Some(expected) = s.expect.expected_count(Rule::M3) else { return true };
     let sides = |f: Link| s.half_edges.iter().filter(|&&h| s.face_of(h) == f).count();
     match s.says {
@@ -323,12 +323,12 @@ fn m3<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
 }
 
 /// M4 closed: every half-edge has a twin and bounds a face.
-fn m4<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
+fn m4(s: &Structure<'_>) -> bool {
     !s.expect.asks_for(Rule::M4) || s.half_edges.iter().all(|&h| s.twin(h).is_some() && !s.lacks_face(h))
 }
 
 /// M5 connected: there are as many components with an edge as expected.
-fn m5<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
+fn m5(s: &Structure<'_>) -> bool {
     let found = s.components().iter().filter(|c| !s.edges(c).is_empty()).count();
     s.expect.expected_count(Rule::M5).is_none_or(|expected| found == expected)
 }
@@ -336,7 +336,7 @@ fn m5<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
 /// M6 borders: there are as many border loops as expected.
 ///
 /// A border loop is a cycle without face, or half-edges without twin that follow one another.
-fn m6<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
+fn m6(s: &Structure<'_>) -> bool {
     let without_face: BTreeSet<_> = s.half_edges.iter().filter(|&&h| s.lacks_face(h)).map(|&h| s.cycle(h)).collect();
     let without_twin: BTreeSet<_> = s.half_edges.iter().filter(|&&h| s.on_border(h)).map(|&h| s.border(h)).collect();
     let found = without_face.len() + without_twin.len();
@@ -344,7 +344,7 @@ fn m6<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
 }
 
 /// M7 genus: the genera of the components add up to the genus expected.
-fn m7<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
+fn m7(s: &Structure<'_>) -> bool {
     let genus = |c: &BTreeSet<Link>| {
         let (vertices, edges, cycles) = (c.len(), s.edges(c).len(), s.cycles(c));
         (0..=edges).find(|g| vertices + cycles + 2 * g == 2 + edges)
@@ -354,7 +354,7 @@ fn m7<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
 }
 
 /// M8 kept: if a half-edge without twin or face leaves a vertex, the half-edge kept by that vertex lacks a twin or a face.
-fn m8<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
+fn m8(s: &Structure<'_>) -> bool {
     let on_border = |h: Link| s.twin(h).is_none() || s.lacks_face(h);
     !s.expect.asks_for(Rule::M8)
         || s.lacks(Part::Leaving)

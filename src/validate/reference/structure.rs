@@ -29,8 +29,8 @@ impl Entry {
 }
 
 /// The structure in the terms of the rules. A link that does not lead to a live record is treated as nil.
-pub(super) struct Structure<'a, V: ?Sized> {
-    view: &'a V,
+pub(super) struct Structure<'a> {
+    view: &'a dyn View,
     pub(super) expect: Expectation,
     /// The parts considered.
     parts: Parts,
@@ -44,8 +44,8 @@ pub(super) struct Structure<'a, V: ?Sized> {
     entries: OnceCell<Vec<Entry>>,
 }
 
-impl<'a, V: View + ?Sized> Structure<'a, V> {
-    pub(super) fn new(view: &'a V, expect: Expectation) -> Self {
+impl<'a> Structure<'a> {
+    pub(super) fn new(view: &'a dyn View, expect: Expectation) -> Self {
         let parts = expect.looks_at(view.parts());
         let says = match (parts.has(Part::Faces), parts.has(Part::BoundaryComponents)) {
             (false, _) => Says::Nothing,
