@@ -1,0 +1,240 @@
+//! The fast pass: whether all tests pass. It notes no failures, and reads half-edges from columns if the structure lends them.
+//!
+//! It runs fewer tests of half-edges than the [check](super::check()): the others follow (`proofs/coq/certificates/Fewer.v`). `next(prev(h)) = h`
+//! follows by counting from `prev(next(h)) = h`. If the sums fit, each rotation has a vertex that keeps one of its half-edges, and each
+//! cycle a boundary component that starts with one of its: so the origin of each half-edge keeps one, and its boundary component starts
+//! with one.
+
+use super::answers::Answers;
+use super::columns::Column;
+use super::storage::{Columns, Numbers as _};
+use super::sums::Sums;
+use super::surface::Surface;
+use super::test::UntilFailure;
+use crate::NIL;
+use twinedge::validate::{HalfEdgeColumns, Part, View};
+
+/// Returns the sums of a structure in the plane, if its labels pass.
+#[inline(always)]
+pub(super) fn plane<V: View + ?Sized, C: Columns>(s: &Answers<'_, V, C>) -> Option<Sums> {
+    s.readable().then_some(())?;
+    let half_edges = match Lent::of(s).filter(|_| s.by_record()) {
+        Some(lent) => plane_half_edges(s, lent)?,
+        None => plane_half_edges(s, Asked { s, name: |h| s.boundary(h) })?,
+    };
+    let mut sums = Sums { half_edges, ..Sums::default() };
+    for v in (0..s.vertices).filter(|v| s.is_vertex(*v)) {
+        sums.rotations += usize::from(s.leaving(v).is_some());
+        s.vertex_ok(v).then_some(())?;
+    }
+    let (mut inner, mut outer) = (0_usize, 0_usize);
+    for b in (0..s.boundaries).filter(|b| s.is_boundary(*b)) {
+        let (is_cycle, is_inner) = (s.cycle_start(b).is_some(), s.is_inner(b));
+        sums.cycles += usize::from(is_cycle);
+        sums.roots += usize::from(is_cycle && is_inner);
+        *if is_inner { &mut inner } else { &mut outer } += 1;
+        (s.start_ok(b) && s.place_ok(b)).then_some(())?;
+    }
+    for f in (0..s.faces).filter(|f| s.is_face(*f)) {
+        let is_unbounded = s.outer(f).is_none();
+        sums.unbounded += usize::from(is_unbounded);
+        outer = if is_unbounded { outer } else { outer.checked_sub(1)? };
+        inner = inner.checked_sub(s.inner_count(f))?;
+        (!s.by_name() || s.face_starts_ok(f)).then_some(())?;
+    }
+    (inner == 0 && outer == 0 && sums.unbounded == 1 && sums.fit(0)).then_some(sums)
+}
+
+/// Returns the number of half-edges.
+#[inline(always)]
+fn plane_half_edges<V: View + ?Sized, C: Columns>(s: &Answers<'_, V, C>, links: impl HalfEdges) -> Option<usize> {
+    let mut count = 0;
+    for h in (0..s.half_edges).filter(|h| links.is_live(*h)) {
+        let star = links.star(h)?;
+        count += 1;
+        let is_root = || s.boundary(h).is_some_and(|b| s.is_root(h, b));
+        (s.is_ranked(h, star) || is_root()).then_some(())?;
+        (!s.by_name() || s.face_name_ok(h, s.boundary(h))).then_some(())?;
+    }
+    Some(count)
+}
+
+/// Returns the counts of a structure on surfaces, if its labels pass. Without a claim, the genus is that of the counts.
+#[inline(always)]
+pub(super) fn surface<V: View + ?Sized, C: Columns>(
+    s: &Surface<'_, V, C>,
+    open: bool,
+    genus: Option<usize>,
+) -> Option<Sums> {
+    let sums = match Lent::of(&s.0) {
+        Some(lent) => surface_half_edges(s, open, lent)?,
+        None => surface_half_edges(s, open, Asked { s: &s.0, name: |h| s.boundary(h) })?,
+    };
+    let sums = s.records(sums, open, &mut UntilFailure)?;
+    let genus = genus.unwrap_or(sums.counts().genus);
+    sums.fit(genus).then_some(())?;
+    if genus > 0 {
+        for h in (0..s.0.half_edges).filter(|h| s.0.is_half_edge(*h)) {
+            (s.turn_ok(h) && s.step_ok(h)).then_some(())?;
+        }
+    }
+    Some(sums)
+}
+
+/// Returns the numbers of half-edges and of roots.
+#[inline(always)]
+fn surface_half_edges<V: View + ?Sized, C: Columns>(
+    s: &Surface<'_, V, C>,
+    open: bool,
+    links: impl HalfEdges,
+) -> Option<Sums> {
+    let mut sums = Sums::default();
+    // One entry applies to all half-edges.
+    let one = if s.0.labels.column(Column::HalfEdgeComponent).count() == 1 { s.component(0) } else { None };
+    for h in (0..s.0.half_edges).filter(|h| links.is_live(*h)) {
+        let [t, n, p] = links.star(h)?;
+        let component = if one.is_some() { one } else { s.component(h) };
+        component?;
+        (one.is_some() || s.component(n) == component && s.component(t) == component).then_some(())?;
+        let is_root = component == Some(h);
+        (is_root || s.0.is_ranked(h, [t, n, p])).then_some(())?;
+        (!open || s.border_ok(h)).then_some(())?;
+        sums.half_edges += 1;
+        sums.roots += usize::from(is_root);
+    }
+    Some(sums)
+}
+
+impl<V: View + ?Sized, C: Columns> Answers<'_, V, C> {
+    /// Returns true if one of these half-edges has a lower rank than `h`.
+    #[inline(always)]
+    fn is_ranked(&self, h: usize, [t, n, p]: [usize; 3]) -> bool {
+        self.is_lower(Some(p), h) || self.is_lower(Some(t), h) || self.is_lower(Some(n), h)
+    }
+}
+
+/// The links of half-edges as numbers. Links that are nil or lead to no slot become numbers that are no slots.
+trait HalfEdges: Copy {
+    fn is_live(self, h: usize) -> bool;
+    fn origin(self, h: usize) -> usize;
+    /// Returns the twin, if it is another live half-edge, whose twin is `h`.
+    fn twin_back(self, h: usize) -> Option<usize>;
+    fn next(self, h: usize) -> usize;
+    fn prev(self, h: usize) -> usize;
+    /// Returns the boundary component, or the face that serves as one.
+    fn name(self, h: usize) -> usize;
+
+    /// Runs the tests of the links of a live half-edge. Returns the twin, the next and the previous half-edge if all pass.
+    #[inline(always)]
+    fn star(self, h: usize) -> Option<[usize; 3]> {
+        let (t, n) = (self.twin_back(h)?, self.next(h));
+        let passes = self.is_live(n)
+            && self.prev(n) == h
+            && self.origin(n) == self.origin(t)
+            && self.name(n) == self.name(h);
+        passes.then(|| [t, n, self.prev(h)])
+    }
+}
+
+/// Half-edges as the structure and the labels answer.
+struct Asked<'a, V: ?Sized, C, N> {
+    s: &'a Answers<'a, V, C>,
+    name: N,
+}
+
+impl<V: ?Sized, C, N: Copy> Clone for Asked<'_, V, C, N> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<V: ?Sized, C, N: Copy> Copy for Asked<'_, V, C, N> {}
+
+impl<V: View + ?Sized, C: Columns, N: Fn(usize) -> Option<usize> + Copy> HalfEdges for Asked<'_, V, C, N> {
+    #[inline(always)]
+    fn is_live(self, h: usize) -> bool {
+        self.s.is_half_edge(h)
+    }
+    #[inline(always)]
+    fn origin(self, h: usize) -> usize {
+        self.s.origin(h).unwrap_or(usize::MAX)
+    }
+    #[inline(always)]
+    fn twin_back(self, h: usize) -> Option<usize> {
+        self.s.twin(h).filter(|t| *t != h && self.s.twin(*t) == Some(h))
+    }
+    #[inline(always)]
+    fn next(self, h: usize) -> usize {
+        self.s.next(h).unwrap_or(usize::MAX)
+    }
+    #[inline(always)]
+    fn prev(self, h: usize) -> usize {
+        self.s.prev(h).unwrap_or(usize::MAX)
+    }
+    #[inline(always)]
+    fn name(self, h: usize) -> usize {
+        (self.name)(h).unwrap_or(usize::MAX)
+    }
+}
+
+/// Half-edges in columns that the structure lends, all of them live from the first live one on. Columns have equal lengths.
+#[derive(Clone, Copy)]
+struct Lent<'a> {
+    origin: &'a [u32],
+    next: &'a [u32],
+    prev: &'a [u32],
+    name: &'a [u32],
+    first: usize,
+}
+
+impl<'a> Lent<'a> {
+    #[inline(always)]
+    fn of<V: View + ?Sized, C: Columns>(s: &Answers<'a, V, C>) -> Option<Self> {
+        let HalfEdgeColumns { origin, next, prev, boundary, face, live_edges } = s.view.half_edge_columns()?;
+        let name = if s.by_record() { boundary } else { face };
+        let n = s.half_edges;
+        let is_vacant = |edge: &u32| edge % 2 == 0;
+        let vacant = live_edges.map_or(0, |edges| edges.iter().take_while(|edge| is_vacant(edge)).count());
+        let all_live = live_edges.is_none_or(|edges| edges.len() == n / 2 && !edges[vacant..].iter().any(is_vacant));
+        (all_live && n % 2 == 0 && s.stores(Part::Prev)).then_some(())?;
+        Some(Self {
+            origin: origin.get(..n)?,
+            next: next.get(..n)?,
+            prev: prev.get(..n)?,
+            name: name.get(..n)?,
+            first: 2 * vacant,
+        })
+    }
+}
+
+#[inline(always)]
+fn entry(column: &[u32], h: usize) -> usize {
+    column.get(h).copied().unwrap_or(NIL) as usize
+}
+
+impl HalfEdges for Lent<'_> {
+    #[inline(always)]
+    fn is_live(self, h: usize) -> bool {
+        self.first <= h && h < self.next.len()
+    }
+    #[inline(always)]
+    fn origin(self, h: usize) -> usize {
+        entry(self.origin, h)
+    }
+    #[inline(always)]
+    fn twin_back(self, h: usize) -> Option<usize> {
+        Some(h ^ 1)
+    }
+    #[inline(always)]
+    fn next(self, h: usize) -> usize {
+        entry(self.next, h)
+    }
+    #[inline(always)]
+    fn prev(self, h: usize) -> usize {
+        entry(self.prev, h)
+    }
+    #[inline(always)]
+    fn name(self, h: usize) -> usize {
+        entry(self.name, h)
+    }
+}
