@@ -1,9 +1,9 @@
 //! The fast pass: whether all tests pass. It notes no failures, and reads half-edges from columns if the structure lends them.
 //!
-//! It runs fewer tests of half-edges than the [check](super::check()): the others follow (`proofs/coq/certificates/Fewer.v`). `next(prev(h)) = h`
-//! follows by counting from `prev(next(h)) = h`. If the sums fit, each rotation has a vertex that keeps one of its half-edges, and each
-//! cycle a boundary component that starts with one of its: so the origin of each half-edge keeps one, and its boundary component starts
-//! with one.
+//! It runs fewer tests than the [check](super::check()): the others follow (`proofs/coq/certificates/Fewer.v`). `next(prev(h)) = h` follows from
+//! `prev(next(h)) = h` by counting. In the plane, if the sums fit, a vertex keeps a half-edge of each rotation, and a boundary component starts
+//! with one of each cycle: so the origin of a half-edge keeps one, and its boundary component starts with one. As different boundary components
+//! have different places, faces list nothing else if there are as many boundary components as entries.
 
 use super::answers::Answers;
 use super::columns::Column;
@@ -18,7 +18,7 @@ use twinedge::validate::{HalfEdgeColumns, Part, View};
 #[inline(always)]
 pub(super) fn plane<V: View + ?Sized, C: Columns>(s: &Answers<'_, V, C>) -> Option<Sums> {
     s.readable().then_some(())?;
-    let half_edges = match Lent::of(s).filter(|_| s.by_record()) {
+    let half_edges = match Lent::of(s, s.by_record()) {
         Some(lent) => plane_half_edges(s, lent)?,
         None => plane_half_edges(s, Asked { s, name: |h| s.boundary(h) })?,
     };
@@ -27,22 +27,22 @@ pub(super) fn plane<V: View + ?Sized, C: Columns>(s: &Answers<'_, V, C>) -> Opti
         sums.rotations += usize::from(s.leaving(v).is_some());
         s.vertex_ok(v).then_some(())?;
     }
-    let (mut inner, mut outer) = (0_usize, 0_usize);
+    // The number of boundary components that no face has listed.
+    let mut unlisted = 0_usize;
     for b in (0..s.boundaries).filter(|b| s.is_boundary(*b)) {
-        let (is_cycle, is_inner) = (s.cycle_start(b).is_some(), s.is_inner(b));
+        let is_cycle = s.cycle_start(b).is_some();
         sums.cycles += usize::from(is_cycle);
-        sums.roots += usize::from(is_cycle && is_inner);
-        *if is_inner { &mut inner } else { &mut outer } += 1;
+        sums.roots += usize::from(is_cycle && s.is_inner(b));
+        unlisted += 1;
         (s.start_ok(b) && s.place_ok(b)).then_some(())?;
     }
     for f in (0..s.faces).filter(|f| s.is_face(*f)) {
         let is_unbounded = s.outer(f).is_none();
         sums.unbounded += usize::from(is_unbounded);
-        outer = if is_unbounded { outer } else { outer.checked_sub(1)? };
-        inner = inner.checked_sub(s.inner_count(f))?;
+        unlisted = unlisted.checked_sub(usize::from(!is_unbounded))?.checked_sub(s.inner_count(f))?;
         (!s.by_name() || s.face_starts_ok(f)).then_some(())?;
     }
-    (inner == 0 && outer == 0 && sums.unbounded == 1 && sums.fit(0)).then_some(sums)
+    (unlisted == 0 && sums.unbounded == 1 && sums.fit(0)).then_some(sums)
 }
 
 /// Returns the number of half-edges.
@@ -66,19 +66,12 @@ pub(super) fn surface<V: View + ?Sized, C: Columns>(
     open: bool,
     genus: Option<usize>,
 ) -> Option<Sums> {
-    let sums = match Lent::of(&s.0) {
+    let sums = match Lent::of(&s.0, s.0.by_record() || s.0.by_name()) {
         Some(lent) => surface_half_edges(s, open, lent)?,
         None => surface_half_edges(s, open, Asked { s: &s.0, name: |h| s.boundary(h) })?,
     };
     let sums = s.records(sums, open, &mut UntilFailure)?;
-    let genus = genus.unwrap_or(sums.counts().genus);
-    sums.fit(genus).then_some(())?;
-    if genus > 0 {
-        for h in (0..s.0.half_edges).filter(|h| s.0.is_half_edge(*h)) {
-            (s.turn_ok(h) && s.step_ok(h)).then_some(())?;
-        }
-    }
-    Some(sums)
+    sums.fit(genus.unwrap_or(sums.counts().genus)).then_some(sums)
 }
 
 /// Returns the numbers of half-edges and of roots.
@@ -98,6 +91,9 @@ fn surface_half_edges<V: View + ?Sized, C: Columns>(
         (one.is_some() || s.component(n) == component && s.component(t) == component).then_some(())?;
         let is_root = component == Some(h);
         (is_root || s.0.is_ranked(h, [t, n, p])).then_some(())?;
+        let (kept, start, turned) = (s.0.leaving(links.origin(h))?, s.start(links.name(h))?, links.next(t));
+        (kept == turned || s.grows(Column::HalfEdgeTurn, h, turned)).then_some(())?;
+        (start == n || s.grows(Column::HalfEdgeStep, h, n)).then_some(())?;
         (!open || s.border_ok(h)).then_some(())?;
         sums.half_edges += 1;
         sums.roots += usize::from(is_root);
@@ -116,6 +112,7 @@ impl<V: View + ?Sized, C: Columns> Answers<'_, V, C> {
 /// The links of half-edges as numbers. Links that are nil or lead to no slot become numbers that are no slots.
 trait HalfEdges: Copy {
     fn is_live(self, h: usize) -> bool;
+    /// Like the methods below, of live half-edges only.
     fn origin(self, h: usize) -> usize;
     /// Returns the twin, if it is another live half-edge, whose twin is `h`.
     fn twin_back(self, h: usize) -> Option<usize>;
@@ -128,10 +125,8 @@ trait HalfEdges: Copy {
     #[inline(always)]
     fn star(self, h: usize) -> Option<[usize; 3]> {
         let (t, n) = (self.twin_back(h)?, self.next(h));
-        let passes = self.is_live(n)
-            && self.prev(n) == h
-            && self.origin(n) == self.origin(t)
-            && self.name(n) == self.name(h);
+        let passes =
+            self.is_live(n) && self.prev(n) == h && self.origin(n) == self.origin(t) && self.name(n) == self.name(h);
         passes.then(|| [t, n, self.prev(h)])
     }
 }
@@ -157,15 +152,16 @@ impl<V: View + ?Sized, C: Columns, N: Fn(usize) -> Option<usize> + Copy> HalfEdg
     }
     #[inline(always)]
     fn origin(self, h: usize) -> usize {
-        self.s.origin(h).unwrap_or(usize::MAX)
+        self.s.view.origin(h).unwrap_or(usize::MAX)
     }
     #[inline(always)]
     fn twin_back(self, h: usize) -> Option<usize> {
-        self.s.twin(h).filter(|t| *t != h && self.s.twin(*t) == Some(h))
+        let is_twin = |t: usize| t != h && self.is_live(t) && self.s.view.twin(t) == Some(h);
+        self.s.view.twin(h).filter(|t| is_twin(*t))
     }
     #[inline(always)]
     fn next(self, h: usize) -> usize {
-        self.s.next(h).unwrap_or(usize::MAX)
+        self.s.view.next(h).unwrap_or(usize::MAX)
     }
     #[inline(always)]
     fn prev(self, h: usize) -> usize {
@@ -188,15 +184,16 @@ struct Lent<'a> {
 }
 
 impl<'a> Lent<'a> {
+    /// `are_named`: whether the structure stores what names their cycles.
     #[inline(always)]
-    fn of<V: View + ?Sized, C: Columns>(s: &Answers<'a, V, C>) -> Option<Self> {
+    fn of<V: View + ?Sized, C: Columns>(s: &Answers<'a, V, C>, are_named: bool) -> Option<Self> {
         let HalfEdgeColumns { origin, next, prev, boundary, face, live_edges } = s.view.half_edge_columns()?;
-        let name = if s.by_record() { boundary } else { face };
+        let name = if s.by_name() { face } else { boundary };
         let n = s.half_edges;
         let is_vacant = |edge: &u32| edge % 2 == 0;
         let vacant = live_edges.map_or(0, |edges| edges.iter().take_while(|edge| is_vacant(edge)).count());
         let all_live = live_edges.is_none_or(|edges| edges.len() == n / 2 && !edges[vacant..].iter().any(is_vacant));
-        (all_live && n % 2 == 0 && s.stores(Part::Prev)).then_some(())?;
+        (are_named && all_live && n % 2 == 0 && s.stores(Part::Prev)).then_some(())?;
         Some(Self {
             origin: origin.get(..n)?,
             next: next.get(..n)?,

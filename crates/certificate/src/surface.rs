@@ -64,16 +64,17 @@ impl<V: View + ?Sized, C: Columns> Surface<'_, V, C> {
         let mut failures = Failures::new();
         if !self.0.readable() {
             failures.note(Test::Readable, 0, false);
-        } else if let Some(sums) = fast::surface(self, open, genus) {
+            return failures.into_result().map(|()| Sums::default());
+        }
+        if let Some(sums) = fast::surface(self, open, genus) {
             return Ok(sums);
         }
         let half_edges = || (0..self.0.half_edges).filter(|h| self.0.is_half_edge(*h));
         let roots = half_edges().filter(|h| self.component(*h) == Some(*h)).count();
         let counted = Sums { half_edges: half_edges().count(), roots, ..Sums::default() };
         let sums = self.records(counted, open, &mut failures).unwrap_or_default();
-        let genus = genus.unwrap_or(sums.counts().genus);
-        half_edges().for_each(|h| self.note_half_edge(h, open, genus, &mut failures));
-        failures.note(Test::GenusOk, 0, sums.fit(genus));
+        half_edges().for_each(|h| self.note_half_edge(h, open, &mut failures));
+        failures.note(Test::GenusOk, 0, sums.fit(genus.unwrap_or(sums.counts().genus)));
         failures.into_result().map(|()| sums)
     }
 
@@ -154,36 +155,29 @@ impl<V: View + ?Sized, C: Columns> Surface<'_, V, C> {
 
     /// Returns true if the second half-edge has a greater label.
     #[inline(always)]
-    fn grows(&self, column: Column, h: usize, to: usize) -> bool {
+    pub(super) fn grows(&self, column: Column, h: usize, to: usize) -> bool {
         let labels = self.0.labels.column(column);
         labels.at(h).zip(labels.at(to)).is_some_and(|(before, after)| before < after)
     }
 
-    /// Returns true if the next half-edge around the origin is the one kept by the vertex, or has a greater turn.
-    #[inline(always)]
-    pub(super) fn turn_ok(&self, h: usize) -> bool {
-        let next_around = self.0.twin(h).and_then(|t| self.0.next(t));
-        next_around.is_some_and(|g| self.0.kept(h) == Some(g) || self.grows(Column::HalfEdgeTurn, h, g))
-    }
-
-    /// Returns true if the next half-edge on the cycle is the start of the boundary component, or has a greater step.
-    #[inline(always)]
-    pub(super) fn step_ok(&self, h: usize) -> bool {
-        let starts = |n| self.boundary(h).and_then(|b| self.start(b)) == Some(n);
-        self.0.next(h).is_some_and(|n| starts(n) || self.grows(Column::HalfEdgeStep, h, n))
-    }
-
-    /// Runs all tests of a half-edge. Positions say nothing new if the genus is 0.
-    fn note_half_edge(&self, h: usize, open: bool, genus: usize, failures: &mut Failures) {
+    /// Runs all tests of a half-edge.
+    fn note_half_edge(&self, h: usize, open: bool, failures: &mut Failures) {
         let ([twin, next, prev], boundary) = (self.0.links(h), self.boundary(h));
+        let (kept, turned) = (self.0.kept(h), twin.and_then(|t| self.0.next(t)));
+        let start = boundary.and_then(|b| self.start(b));
         let component = self.component(h);
         let is_same = |link: Link| link.is_some_and(|l| self.component(l) == component);
         let lower = |link| self.0.is_lower(link, h);
         self.0.note_links(h, failures);
-        let has_start = boundary.and_then(|b| self.start(b)).is_some();
-        failures.note(Test::CycleOk, h, next.and_then(|n| self.boundary(n)) == boundary && has_start);
-        failures.note(Test::TurnOk, h, genus == 0 || self.turn_ok(h));
-        failures.note(Test::StepOk, h, genus == 0 || self.step_ok(h));
+        failures.note(Test::CycleOk, h, next.and_then(|n| self.boundary(n)) == boundary && start.is_some());
+        // The next half-edge around the origin is the one kept by the vertex, or has a greater turn.
+        failures.note(Test::TurnOk, h, {
+            turned.is_some_and(|g| kept == Some(g) || self.grows(Column::HalfEdgeTurn, h, g))
+        });
+        // The next half-edge on the cycle is the start of the boundary component, or has a greater step.
+        failures.note(Test::StepOk, h, {
+            next.is_some_and(|n| start == Some(n) || self.grows(Column::HalfEdgeStep, h, n))
+        });
         failures.note(Test::ComponentOk, h, {
             let ranked = component == Some(h) || lower(next) || lower(prev) || lower(twin);
             component.is_some() && is_same(next) && is_same(twin) && ranked
