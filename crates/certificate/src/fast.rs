@@ -6,13 +6,10 @@
 //! have different places, faces list nothing else if there are as many boundary components as entries.
 
 use super::answers::Answers;
-use super::columns::Column;
-use super::storage::{Columns, Numbers as _};
+use super::storage::Columns;
 use super::sums::Sums;
-use super::surface::Surface;
-use super::test::UntilFailure;
 use crate::NIL;
-use twinedge::validate::{HalfEdgeColumns, Part, View};
+use twinedge::validate::{HalfEdgeColumns, Link, Part, View};
 
 /// Returns the sums of a structure in the plane, if its labels pass.
 #[inline(always)]
@@ -59,82 +56,45 @@ fn plane_half_edges<V: View + ?Sized, C: Columns>(s: &Answers<'_, V, C>, links: 
     Some(count)
 }
 
-/// Returns the counts of a structure on surfaces, if its labels pass. Without a claim, the genus is that of the counts.
-#[inline(always)]
-pub(super) fn surface<V: View + ?Sized, C: Columns>(
-    s: &Surface<'_, V, C>,
-    open: bool,
-    genus: Option<usize>,
-) -> Option<Sums> {
-    let sums = match Lent::of(&s.0, s.0.by_record() || s.0.by_name()) {
-        Some(lent) => surface_half_edges(s, open, lent)?,
-        None => surface_half_edges(s, open, Asked { s: &s.0, name: |h| s.boundary(h) })?,
-    };
-    let sums = s.records(sums, open, &mut UntilFailure)?;
-    sums.fit(genus.unwrap_or(sums.counts().genus)).then_some(sums)
-}
-
-/// Returns the numbers of half-edges and of roots.
-#[inline(always)]
-fn surface_half_edges<V: View + ?Sized, C: Columns>(
-    s: &Surface<'_, V, C>,
-    open: bool,
-    links: impl HalfEdges,
-) -> Option<Sums> {
-    let mut sums = Sums::default();
-    // One entry applies to all half-edges.
-    let one = if s.0.labels.column(Column::HalfEdgeComponent).count() == 1 { s.component(0) } else { None };
-    for h in (0..s.0.half_edges).filter(|h| links.is_live(*h)) {
-        let [t, n, p] = links.star(h)?;
-        let component = if one.is_some() { one } else { s.component(h) };
-        component?;
-        (one.is_some() || s.component(n) == component && s.component(t) == component).then_some(())?;
-        let is_root = component == Some(h);
-        (is_root || s.0.is_ranked(h, [t, n, p])).then_some(())?;
-        let (kept, start, turned) = (s.0.leaving(links.origin(h))?, s.start(links.name(h))?, links.next(t));
-        (kept == turned || s.grows(Column::HalfEdgeTurn, h, turned)).then_some(())?;
-        (start == n || s.grows(Column::HalfEdgeStep, h, n)).then_some(())?;
-        (!open || s.border_ok(h)).then_some(())?;
-        sums.half_edges += 1;
-        sums.roots += usize::from(is_root);
-    }
-    Some(sums)
-}
-
 impl<V: View + ?Sized, C: Columns> Answers<'_, V, C> {
     /// Returns true if one of these half-edges has a lower rank than `h`.
     #[inline(always)]
-    fn is_ranked(&self, h: usize, [t, n, p]: [usize; 3]) -> bool {
-        self.is_lower(Some(p), h) || self.is_lower(Some(t), h) || self.is_lower(Some(n), h)
+    pub(super) fn is_ranked(&self, h: usize, (t, n, p): Star) -> bool {
+        self.is_lower(p, h) || self.is_lower(Some(t), h) || self.is_lower(Some(n), h)
     }
 }
 
+/// The twin, the next and the previous half-edge.
+type Star = (usize, usize, Link);
+
 /// The links of half-edges as numbers. Links that are nil or lead to no slot become numbers that are no slots.
-trait HalfEdges: Copy {
+pub(super) trait HalfEdges: Copy {
     fn is_live(self, h: usize) -> bool;
     /// Like the methods below, of live half-edges only.
     fn origin(self, h: usize) -> usize;
     /// Returns the twin, if it is another live half-edge, whose twin is `h`.
     fn twin_back(self, h: usize) -> Option<usize>;
     fn next(self, h: usize) -> usize;
-    fn prev(self, h: usize) -> usize;
+    fn prev(self, h: usize) -> Link;
     /// Returns the boundary component, or the face that serves as one.
     fn name(self, h: usize) -> usize;
 
     /// Runs the tests of the links of a live half-edge. Returns the twin, the next and the previous half-edge if all pass.
     #[inline(always)]
-    fn star(self, h: usize) -> Option<[usize; 3]> {
+    fn star(self, h: usize) -> Option<Star> {
         let (t, n) = (self.twin_back(h)?, self.next(h));
-        let passes =
-            self.is_live(n) && self.prev(n) == h && self.origin(n) == self.origin(t) && self.name(n) == self.name(h);
-        passes.then(|| [t, n, self.prev(h)])
+        let passes = self.is_live(n)
+            && self.prev(n) == Some(h)
+            && self.origin(n) == self.origin(t)
+            && self.name(n) == self.name(h);
+        passes.then(|| (t, n, self.prev(h)))
     }
 }
 
 /// Half-edges as the structure and the labels answer.
-struct Asked<'a, V: ?Sized, C, N> {
-    s: &'a Answers<'a, V, C>,
-    name: N,
+pub(super) struct Asked<'a, V: ?Sized, C, N> {
+    pub(super) s: &'a Answers<'a, V, C>,
+    pub(super) name: N,
 }
 
 impl<V: ?Sized, C, N: Copy> Clone for Asked<'_, V, C, N> {
@@ -164,8 +124,8 @@ impl<V: View + ?Sized, C: Columns, N: Fn(usize) -> Option<usize> + Copy> HalfEdg
         self.s.view.next(h).unwrap_or(usize::MAX)
     }
     #[inline(always)]
-    fn prev(self, h: usize) -> usize {
-        self.s.prev(h).unwrap_or(usize::MAX)
+    fn prev(self, h: usize) -> Link {
+        self.s.prev(h)
     }
     #[inline(always)]
     fn name(self, h: usize) -> usize {
@@ -175,7 +135,7 @@ impl<V: View + ?Sized, C: Columns, N: Fn(usize) -> Option<usize> + Copy> HalfEdg
 
 /// Half-edges in columns that the structure lends, all of them live from the first live one on. Columns have equal lengths.
 #[derive(Clone, Copy)]
-struct Lent<'a> {
+pub(super) struct Lent<'a> {
     origin: &'a [u32],
     next: &'a [u32],
     prev: &'a [u32],
@@ -186,7 +146,7 @@ struct Lent<'a> {
 impl<'a> Lent<'a> {
     /// `are_named`: whether the structure stores what names their cycles.
     #[inline(always)]
-    fn of<V: View + ?Sized, C: Columns>(s: &Answers<'a, V, C>, are_named: bool) -> Option<Self> {
+    pub(super) fn of<V: View + ?Sized, C: Columns>(s: &Answers<'a, V, C>, are_named: bool) -> Option<Self> {
         let HalfEdgeColumns { origin, next, prev, boundary, face, live_edges } = s.view.half_edge_columns()?;
         let name = if s.by_name() { face } else { boundary };
         let n = s.half_edges;
@@ -227,8 +187,8 @@ impl HalfEdges for Lent<'_> {
         entry(self.next, h)
     }
     #[inline(always)]
-    fn prev(self, h: usize) -> usize {
-        entry(self.prev, h)
+    fn prev(self, h: usize) -> Link {
+        Some(entry(self.prev, h))
     }
     #[inline(always)]
     fn name(self, h: usize) -> usize {

@@ -5,10 +5,10 @@
 
 use super::answers::Answers;
 use super::columns::{Column, Labels};
-use super::fast;
+use super::fast::{Asked, HalfEdges, Lent};
 use super::storage::{Columns, Entries as _, Numbers as _};
 use super::sums::Sums;
-use super::test::{Failure, Failures, Noted, Test};
+use super::test::{Failure, Failures, Noted, Test, UntilFailure};
 use crate::NIL;
 use alloc::vec::Vec;
 use twinedge::validate::{BoundaryPlace, Link, View};
@@ -51,7 +51,7 @@ pub fn check_surface<V: View + ?Sized, C: Columns>(view: &V, labels: &C, genus: 
 /// ```
 pub fn passes_surface<V: View + ?Sized, C: Columns>(view: &V, labels: &C, genus: usize) -> bool {
     let s = Surface(Answers::new(view, labels));
-    s.0.readable() && fast::surface(&s, false, Some(genus)).is_some()
+    s.pass(false, Some(genus)).is_some()
 }
 
 /// A structure whose faces serve as boundary components, if it does not store these.
@@ -61,13 +61,13 @@ impl<V: View + ?Sized, C: Columns> Surface<'_, V, C> {
     /// Runs every test, and returns the counts if all pass. Open surfaces may have holes, without a face. Without a claim, the genus is
     /// that of the counts.
     pub(super) fn check(&self, open: bool, genus: Option<usize>) -> Result<Sums, Vec<Failure>> {
+        if let Some(sums) = self.pass(open, genus) {
+            return Ok(sums);
+        }
         let mut failures = Failures::new();
         if !self.0.readable() {
             failures.note(Test::Readable, 0, false);
             return failures.into_result().map(|()| Sums::default());
-        }
-        if let Some(sums) = fast::surface(self, open, genus) {
-            return Ok(sums);
         }
         let half_edges = || (0..self.0.half_edges).filter(|h| self.0.is_half_edge(*h));
         let roots = half_edges().filter(|h| self.component(*h) == Some(*h)).count();
@@ -78,9 +78,45 @@ impl<V: View + ?Sized, C: Columns> Surface<'_, V, C> {
         failures.into_result().map(|()| sums)
     }
 
+    /// The fast pass: returns the counts if all tests pass. It leaves out that `next(prev(h)) = h`, which follows.
+    #[inline(always)]
+    fn pass(&self, open: bool, genus: Option<usize>) -> Option<Sums> {
+        self.0.readable().then_some(())?;
+        let sums = match Lent::of(&self.0, self.0.by_record() || self.0.by_name()) {
+            Some(lent) => self.half_edges(open, lent)?,
+            None => self.half_edges(open, Asked { s: &self.0, name: |h| self.boundary(h) })?,
+        };
+        let sums = self.records(sums, open, &mut UntilFailure)?;
+        sums.fit(genus.unwrap_or(sums.counts().genus)).then_some(sums)
+    }
+
+    /// Returns the numbers of half-edges and of roots, if all half-edges pass.
+    #[inline(always)]
+    fn half_edges(&self, open: bool, links: impl HalfEdges) -> Option<Sums> {
+        let mut sums = Sums::default();
+        // One entry applies to all half-edges.
+        let one = if self.0.labels.column(Column::HalfEdgeComponent).count() == 1 { self.component(0) } else { None };
+        for h in (0..self.0.half_edges).filter(|h| links.is_live(*h)) {
+            let star = links.star(h)?;
+            let (t, n, _) = star;
+            let component = if one.is_some() { one } else { self.component(h) };
+            component?;
+            (one.is_some() || self.component(n) == component && self.component(t) == component).then_some(())?;
+            let is_root = component == Some(h);
+            (is_root || self.0.is_ranked(h, star)).then_some(())?;
+            let (kept, start, turned) = (self.0.leaving(links.origin(h))?, self.start(links.name(h))?, links.next(t));
+            (kept == turned || links.is_live(turned) && self.grows(Column::HalfEdgeTurn, h, turned)).then_some(())?;
+            (start == n || self.grows(Column::HalfEdgeStep, h, n)).then_some(())?;
+            (!open || self.border_ok(h)).then_some(())?;
+            sums.half_edges += 1;
+            sums.roots += usize::from(is_root);
+        }
+        Some(sums)
+    }
+
     /// Runs every test of vertices, boundary components and faces, and counts them. Returns `None` if the check ended early.
     #[inline(always)]
-    pub(super) fn records(&self, mut sums: Sums, open: bool, noted: &mut impl Noted) -> Option<Sums> {
+    fn records(&self, mut sums: Sums, open: bool, noted: &mut impl Noted) -> Option<Sums> {
         for v in (0..self.0.vertices).filter(|v| self.0.is_vertex(*v)) {
             let leaving = self.0.leaving(v);
             sums.rotations += usize::from(leaving.is_some());
@@ -139,7 +175,7 @@ impl<V: View + ?Sized, C: Columns> Surface<'_, V, C> {
     }
 
     /// A half-edge of a hole is the border half-edge of its origin, and its twin bounds a face.
-    pub(super) fn border_ok(&self, h: usize) -> bool {
+    fn border_ok(&self, h: usize) -> bool {
         let named = |v| self.0.labels.link(Column::VertexBorder, v);
         !self.is_in_hole(h)
             || self.0.origin(h).and_then(named) == Some(h) && self.0.twin(h).is_some_and(|t| !self.is_in_hole(t))
@@ -147,7 +183,7 @@ impl<V: View + ?Sized, C: Columns> Surface<'_, V, C> {
 
     /// Returns the component of the half-edge. The last entry applies to all later half-edges: one suffices for one component.
     #[inline(always)]
-    pub(super) fn component(&self, h: usize) -> Link {
+    fn component(&self, h: usize) -> Link {
         let component = self.0.labels.column(Column::HalfEdgeComponent);
         let last = || component.at(component.count().checked_sub(1)?).filter(|_| h < self.0.half_edges);
         component.at(h).or_else(last).filter(|root| *root != NIL).map(|root| root as usize)
@@ -155,7 +191,7 @@ impl<V: View + ?Sized, C: Columns> Surface<'_, V, C> {
 
     /// Returns true if the second half-edge has a greater label.
     #[inline(always)]
-    pub(super) fn grows(&self, column: Column, h: usize, to: usize) -> bool {
+    fn grows(&self, column: Column, h: usize, to: usize) -> bool {
         let labels = self.0.labels.column(column);
         labels.at(h).zip(labels.at(to)).is_some_and(|(before, after)| before < after)
     }
