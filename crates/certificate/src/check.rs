@@ -17,7 +17,8 @@ use twinedge::validate::{BoundaryPlace, Link, Start, View};
 /// The labels may be invalid, even of incorrect length, and the structure may be anything, as for
 /// [`validate`](twinedge::validate::validate). A failed check does not imply a broken structure: the labels may be another's.
 ///
-/// Cost: O(n) for n slots and list entries. Only failures allocate memory.
+/// Cost: O(n) for n slots and list entries. Only failures allocate memory. If the structure [lends](View::half_edge_columns) its
+/// half-edges, they are read from the columns.
 ///
 /// # Errors
 /// The failed tests, each with the number of failing records and the first of them.
