@@ -8,7 +8,7 @@ From twinedge Require Import Expectations ExpectationsCheck ExpectationsVerdict 
 From twinedge Require Import SearchOutside Encloses.
 From twinedge Require Import ExpectationsNested ExpectationsHoles ExpectationsClosed ExpectationsBounds ExpectationsOrder NearWalks NearLists NearSum.
 From twinedge Require Import RotationSystem View Rules Reference Drawing Euler Subdivision Verdict FastPath.
-From twinedge Require Import FastPathComponents FastPathProof Labels LabelsSound LabelsComplete Columns Certified Surface SurfaceComplete AddVertex.
+From twinedge Require Import FastPathComponents FastPathProof Labels LabelsSound LabelsComplete Fewer Columns Certified Surface SurfaceComplete AddVertex.
 From twinedge Require Import RemoveVertex MoveInner Renaming Connect ConnectIsolated ConnectBridge ConnectSplit.
 From twinedge Require Import ConnectLoop RemoveMerge RemovePart Skip Contract SplitVertex Flip Keep AnyInner Operate Core Tidy Programs Reach Orientation Triangulation Plane Coordinates CoordinatesSound.
 Set Implicit Arguments.
@@ -345,6 +345,12 @@ Check fast_path_leaves_t2 : forall t, rules t <-> fast_path t /\ t2_nesting t.
 (** A table that is accepted with some ranks keeps all rules, and whatever keeps all rules has ranks with which it is accepted. *)
 
 Check labels_sound : forall t rank, accepts t rank -> rules t.
+
+(** A checker that only decides needs fewer tests: the others follow. *)
+
+Check few_suffice : forall t rank, few_accept t rank -> accepts t rank.
+
+Check prev_back : forall t, (forall h, half_edge t h -> next t h >>= prev t = Some h) -> forall h, half_edge t h -> next_ok t h.
 
 Check labels_complete : forall t, rules t -> exists rank, accepts t rank.
 

@@ -38,6 +38,11 @@ impl<'a, V: View + ?Sized, C: Columns> Answers<'a, V, C> {
         self.labels.column(Column::HalfEdgeRank).count() == self.half_edges && slots.iter().all(|n| *n <= MOST_SLOTS)
     }
 
+    #[inline(always)]
+    pub(super) fn stores(&self, part: Part) -> bool {
+        self.parts.has(part)
+    }
+
     /// Returns true if the structure has records for boundary components.
     #[inline(always)]
     pub(super) fn by_record(&self) -> bool {
@@ -97,13 +102,6 @@ impl<'a, V: View + ?Sized, C: Columns> Answers<'a, V, C> {
     #[inline(always)]
     pub(super) fn links(&self, h: usize) -> [Link; 3] {
         [self.twin(h), self.next(h), self.prev(h)]
-    }
-
-    /// Returns the twin, the next and the previous half-edge, if all are live.
-    #[inline(always)]
-    pub(super) fn live_links(&self, h: usize) -> Option<[usize; 3]> {
-        let live = |link: Link| link.filter(|h| self.is_half_edge(*h));
-        Some([live(self.twin(h))?, live(self.next(h))?, live(self.prev(h))?])
     }
 
     #[inline(always)]
@@ -180,6 +178,7 @@ impl<'a, V: View + ?Sized, C: Columns> Answers<'a, V, C> {
         }
     }
 
+    #[inline(always)]
     pub(super) fn inner_count(&self, f: usize) -> usize {
         match self.is_face(f) {
             false => 0,
@@ -191,6 +190,7 @@ impl<'a, V: View + ?Sized, C: Columns> Answers<'a, V, C> {
         }
     }
 
+    #[inline(always)]
     pub(super) fn inner(&self, f: usize, i: usize) -> Link {
         if i >= self.inner_count(f) {
             None
@@ -210,6 +210,7 @@ impl<'a, V: View + ?Sized, C: Columns> Answers<'a, V, C> {
         }
     }
 
+    #[inline(always)]
     pub(super) fn is_inner(&self, b: usize) -> bool {
         matches!(self.place(b), Some(BoundaryPlace::Inner(_)))
     }

@@ -64,6 +64,7 @@ mod check_drawing;
 mod closed;
 mod columns;
 mod drawing;
+mod fast;
 mod labels;
 mod saved;
 mod storage;

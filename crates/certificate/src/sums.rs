@@ -1,7 +1,6 @@
 //! The numbers of live records that determine components and the genus.
 
 use super::surface_counts::SurfaceCounts;
-use super::test::{Noted, Test};
 
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Sums {
@@ -20,12 +19,6 @@ impl Sums {
     pub(super) const fn fit(self, genus: usize) -> bool {
         let orbits = self.rotations as u128 + self.cycles as u128;
         2 * orbits + 4 * genus as u128 == self.half_edges as u128 + 4 * self.roots as u128
-    }
-
-    /// Records the results of the tests of a whole subdivision.
-    pub(super) fn note(self, noted: &mut impl Noted) -> Option<()> {
-        noted.note(Test::OneUnbounded, 0, self.unbounded == 1)?;
-        noted.note(Test::EulerOk, 0, self.fit(0))
     }
 
     /// Computes the counts, with the genus that fits, if there is one.

@@ -5,6 +5,7 @@
 
 use super::answers::Answers;
 use super::columns::{Column, Labels};
+use super::fast::{Asked, HalfEdges, Lent};
 use super::storage::{Columns, Entries as _, Numbers as _};
 use super::sums::Sums;
 use super::test::{Failure, Failures, Noted, Test, UntilFailure};
@@ -32,9 +33,7 @@ use twinedge::validate::{BoundaryPlace, Link, View};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn check_surface<V: View + ?Sized, C: Columns>(view: &V, labels: &C, genus: usize) -> Result<(), Vec<Failure>> {
-    let mut failures = Failures::new();
-    run(view, labels, genus, &mut failures);
-    failures.into_result()
+    Surface(Answers::new(view, labels)).check(false, Some(genus)).map(|_| ())
 }
 
 /// Returns true if all tests pass, like [`check_surface`] without the failures. Stops reading at the first failing test.
@@ -51,32 +50,73 @@ pub fn check_surface<V: View + ?Sized, C: Columns>(view: &V, labels: &C, genus: 
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn passes_surface<V: View + ?Sized, C: Columns>(view: &V, labels: &C, genus: usize) -> bool {
-    run(view, labels, genus, &mut UntilFailure).is_some()
-}
-
-/// Runs every test. Returns `None` if the check ended early.
-#[inline(always)]
-fn run<V: View + ?Sized, C: Columns>(view: &V, labels: &C, genus: usize, noted: &mut impl Noted) -> Option<()> {
     let s = Surface(Answers::new(view, labels));
-    let readable = s.0.readable();
-    noted.note(Test::Readable, 0, readable)?;
-    let sums = if readable { s.scan(false, noted)? } else { return None };
-    noted.note(Test::GenusOk, 0, sums.fit(genus))
+    s.pass(false, Some(genus)).is_some()
 }
 
 /// A structure whose faces serve as boundary components, if it does not store these.
 pub(super) struct Surface<'a, V: ?Sized, C = Labels>(pub(super) Answers<'a, V, C>);
 
 impl<V: View + ?Sized, C: Columns> Surface<'_, V, C> {
-    /// Runs every test except for the genus. Open surfaces may have holes, without a face. `None` if the check ended early.
-    #[inline(always)]
-    pub(super) fn scan(&self, open: bool, noted: &mut impl Noted) -> Option<Sums> {
-        let mut sums = Sums::default();
-        for h in (0..self.0.half_edges).filter(|h| self.0.is_half_edge(*h)) {
-            sums.half_edges += 1;
-            sums.roots += usize::from(self.component(h) == Some(h));
-            self.half_edge(h, open, noted)?;
+    /// Runs every test, and returns the counts if all pass. Open surfaces may have holes, without a face. Without a claim, the genus is
+    /// that of the counts.
+    pub(super) fn check(&self, open: bool, genus: Option<usize>) -> Result<Sums, Vec<Failure>> {
+        if let Some(sums) = self.pass(open, genus) {
+            return Ok(sums);
         }
+        let mut failures = Failures::new();
+        if !self.0.readable() {
+            failures.note(Test::Readable, 0, false);
+            return failures.into_result().map(|()| Sums::default());
+        }
+        let half_edges = || (0..self.0.half_edges).filter(|h| self.0.is_half_edge(*h));
+        let roots = half_edges().filter(|h| self.component(*h) == Some(*h)).count();
+        let counted = Sums { half_edges: half_edges().count(), roots, ..Sums::default() };
+        let sums = self.records(counted, open, &mut failures).unwrap_or_default();
+        half_edges().for_each(|h| self.note_half_edge(h, open, &mut failures));
+        failures.note(Test::GenusOk, 0, sums.fit(genus.unwrap_or(sums.counts().genus)));
+        failures.into_result().map(|()| sums)
+    }
+
+    /// The fast pass: returns the counts if all tests pass. It leaves out that `next(prev(h)) = h`, which follows.
+    #[inline(always)]
+    fn pass(&self, open: bool, genus: Option<usize>) -> Option<Sums> {
+        self.0.readable().then_some(())?;
+        let sums = match Lent::of(&self.0, self.0.by_record() || self.0.by_name()) {
+            Some(lent) => self.half_edges(open, lent)?,
+            None => self.half_edges(open, Asked { s: &self.0, name: |h| self.boundary(h) })?,
+        };
+        let sums = self.records(sums, open, &mut UntilFailure)?;
+        sums.fit(genus.unwrap_or(sums.counts().genus)).then_some(sums)
+    }
+
+    /// Returns the numbers of half-edges and of roots, if all half-edges pass.
+    #[inline(always)]
+    fn half_edges(&self, open: bool, links: impl HalfEdges) -> Option<Sums> {
+        let mut sums = Sums::default();
+        // One entry applies to all half-edges.
+        let one = if self.0.labels.column(Column::HalfEdgeComponent).count() == 1 { self.component(0) } else { None };
+        for h in (0..self.0.half_edges).filter(|h| links.is_live(*h)) {
+            let star = links.star(h)?;
+            let (t, n, _) = star;
+            let component = if one.is_some() { one } else { self.component(h) };
+            component?;
+            (one.is_some() || self.component(n) == component && self.component(t) == component).then_some(())?;
+            let is_root = component == Some(h);
+            (is_root || self.0.is_ranked(h, star)).then_some(())?;
+            let (kept, start, turned) = (self.0.leaving(links.origin(h))?, self.start(links.name(h))?, links.next(t));
+            (kept == turned || links.is_live(turned) && self.grows(Column::HalfEdgeTurn, h, turned)).then_some(())?;
+            (start == n || self.grows(Column::HalfEdgeStep, h, n)).then_some(())?;
+            (!open || self.border_ok(h)).then_some(())?;
+            sums.half_edges += 1;
+            sums.roots += usize::from(is_root);
+        }
+        Some(sums)
+    }
+
+    /// Runs every test of vertices, boundary components and faces, and counts them. Returns `None` if the check ended early.
+    #[inline(always)]
+    fn records(&self, mut sums: Sums, open: bool, noted: &mut impl Noted) -> Option<Sums> {
         for v in (0..self.0.vertices).filter(|v| self.0.is_vertex(*v)) {
             let leaving = self.0.leaving(v);
             sums.rotations += usize::from(leaving.is_some());
@@ -156,65 +196,28 @@ impl<V: View + ?Sized, C: Columns> Surface<'_, V, C> {
         labels.at(h).zip(labels.at(to)).is_some_and(|(before, after)| before < after)
     }
 
-    /// Runs all tests of a half-edge. Links are rarely nil: reading them first spares the compiler repeated checks.
-    #[inline(always)]
-    fn half_edge(&self, h: usize, open: bool, noted: &mut impl Noted) -> Option<()> {
-        if self.whole_star(h).is_some_and(|star| self.half_edge_ok(h, star, open, |_, passes| passes)) {
-            Some(())
-        } else {
-            noted.note_each(|noted| self.note_half_edge(h, open, noted))
-        }
-    }
-
-    #[cold]
-    fn note_half_edge(&self, h: usize, open: bool, noted: &mut impl Noted) {
-        self.half_edge_ok(h, self.star(h), open, |test, passes| noted.note(test, h, passes).is_some());
-    }
-
-    /// Returns the star, if no link of it is nil.
-    #[inline(always)]
-    fn whole_star(&self, h: usize) -> Option<Star> {
-        let links = self.0.live_links(h)?;
-        let [t, n, p] = links;
-        let (b, kept) = (self.boundary(h)?, self.0.kept(h)?);
-        let (start, turned) = (self.start(b)?, self.0.next(t)?);
-        let links = [Some(t), Some(n), Some(p)];
-        Some(Star { links, kept: Some(kept), turned: Some(turned), boundary: Some(b), start: Some(start) })
-    }
-
-    fn star(&self, h: usize) -> Star {
-        let (links, boundary) = (self.0.links(h), self.boundary(h));
-        let turned = links[0].and_then(|t| self.0.next(t));
-        Star { links, kept: self.0.kept(h), turned, boundary, start: boundary.and_then(|b| self.start(b)) }
-    }
-
-    #[inline(always)]
-    fn half_edge_ok(&self, h: usize, star: Star, open: bool, mut passes: impl FnMut(Test, bool) -> bool) -> bool {
-        let Star { links, kept, turned, boundary, start } = star;
-        let [twin, next, prev] = links;
+    /// Runs all tests of a half-edge.
+    fn note_half_edge(&self, h: usize, open: bool, failures: &mut Failures) {
+        let ([twin, next, prev], boundary) = (self.0.links(h), self.boundary(h));
+        let (kept, turned) = (self.0.kept(h), twin.and_then(|t| self.0.next(t)));
+        let start = boundary.and_then(|b| self.start(b));
         let component = self.component(h);
         let is_same = |link: Link| link.is_some_and(|l| self.component(l) == component);
         let lower = |link| self.0.is_lower(link, h);
-        self.0.links_ok(h, links, kept, &mut passes)
-            && passes(Test::CycleOk, next.and_then(|n| self.boundary(n)) == boundary && start.is_some())
-            // The next half-edge around the origin is the one kept by the vertex, or has a greater turn.
-            && passes(Test::TurnOk, turned.is_some_and(|g| kept == Some(g) || self.grows(Column::HalfEdgeTurn, h, g)))
-            // The next half-edge on the cycle is the start of the boundary component, or has a greater step.
-            && passes(Test::StepOk, next.is_some_and(|n| start == Some(n) || self.grows(Column::HalfEdgeStep, h, n)))
-            && passes(Test::ComponentOk, {
-                let ranked = component == Some(h) || lower(next) || lower(prev) || lower(twin);
-                component.is_some() && is_same(next) && is_same(twin) && ranked
-            })
-            && passes(Test::BorderOk, !open || self.border_ok(h))
+        self.0.note_links(h, failures);
+        failures.note(Test::CycleOk, h, next.and_then(|n| self.boundary(n)) == boundary && start.is_some());
+        // The next half-edge around the origin is the one kept by the vertex, or has a greater turn.
+        failures.note(Test::TurnOk, h, {
+            turned.is_some_and(|g| kept == Some(g) || self.grows(Column::HalfEdgeTurn, h, g))
+        });
+        // The next half-edge on the cycle is the start of the boundary component, or has a greater step.
+        failures.note(Test::StepOk, h, {
+            next.is_some_and(|n| start == Some(n) || self.grows(Column::HalfEdgeStep, h, n))
+        });
+        failures.note(Test::ComponentOk, h, {
+            let ranked = component == Some(h) || lower(next) || lower(prev) || lower(twin);
+            component.is_some() && is_same(next) && is_same(twin) && ranked
+        });
+        failures.note(Test::BorderOk, h, !open || self.border_ok(h));
     }
-}
-
-/// The links of a half-edge, the half-edge kept by its vertex, the next one around it, its boundary component and its start.
-#[derive(Clone, Copy)]
-struct Star {
-    links: [Link; 3],
-    kept: Link,
-    turned: Link,
-    boundary: Link,
-    start: Link,
 }

@@ -8,7 +8,7 @@ use super::storage::Columns;
 use super::sums::Sums;
 use super::surface::Surface;
 use super::surface_counts::SurfaceCounts;
-use super::test::{Failure, Failures, Noted as _, Test};
+use super::test::Failure;
 use crate::NIL;
 use alloc::vec::Vec;
 use twinedge::validate::View;
@@ -85,15 +85,7 @@ impl<C: Columns> SurfaceCertificate<C> {
     /// # Errors
     /// The failed tests.
     pub fn check(&self) -> Result<SurfaceCounts, Vec<Failure>> {
-        let s = Surface(Answers::new(&self.certificate, self.columns()));
-        let mut failures = Failures::new();
-        failures.note(Test::Readable, 0, s.0.readable());
-        let mut sums = Sums::default();
-        if s.0.readable() {
-            sums = s.scan(true, &mut failures).unwrap_or_default();
-            failures.note(Test::GenusOk, 0, sums.fit(sums.counts().genus));
-        }
-        failures.into_result().map(|()| sums.counts())
+        Surface(Answers::new(&self.certificate, self.columns())).check(true, None).map(Sums::counts)
     }
 }
 

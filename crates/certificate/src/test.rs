@@ -143,9 +143,6 @@ impl fmt::Display for Failure {
 pub(super) trait Noted {
     /// Records the result of a test of record `i`. Returns `None` if the check ends here.
     fn note(&mut self, test: Test, i: usize, passes: bool) -> Option<()>;
-
-    /// Records that a test of a record fails; `each` reports the results of all its tests. Returns `None` if the check ends here.
-    fn note_each(&mut self, each: impl FnOnce(&mut Self)) -> Option<()>;
 }
 
 /// Ends the check at the first failure.
@@ -155,11 +152,6 @@ impl Noted for UntilFailure {
     #[inline(always)]
     fn note(&mut self, _: Test, _: usize, passes: bool) -> Option<()> {
         passes.then_some(())
-    }
-
-    #[inline(always)]
-    fn note_each(&mut self, _: impl FnOnce(&mut Self)) -> Option<()> {
-        None
     }
 }
 
@@ -188,12 +180,6 @@ impl Noted for Failures {
         if !passes {
             self.add(test, i);
         }
-        Some(())
-    }
-
-    #[inline(always)]
-    fn note_each(&mut self, each: impl FnOnce(&mut Self)) -> Option<()> {
-        each(self);
         Some(())
     }
 }

@@ -11,5 +11,6 @@ mod tables;
 
 mod columns;
 mod labels;
+mod lent;
 mod records;
 mod surface;
