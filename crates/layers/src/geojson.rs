@@ -1,4 +1,4 @@
-//! GeoJSON (RFC 7946) and newline-delimited GeoJSON. The library's reader is used, without dropping anything.
+//! GeoJSON (RFC 7946) and newline-delimited GeoJSON, read without dropping anything, and written.
 
 use super::crs::Crs;
 use super::each::Each;

@@ -33,6 +33,7 @@ const RECORD_SEPARATOR: u8 = 0x1E;
 const MARKER: &[u8] = br#"{"type":"Feature","geometry":null}"#;
 
 /// A feature as this reader parses it, or a part as the reader of [`geojson`] passes it on.
+#[expect(clippy::large_enum_variant, reason = "it is not kept")]
 pub(super) enum Piece<'t> {
     Feature(FeatureText<'t>),
     Part(Part),
@@ -86,8 +87,8 @@ struct Cutter<'r, F> {
 }
 
 fn after(at: TextPlace, bytes: &[u8]) -> TextPlace {
-    let lines = bytes.iter().filter(|byte| **byte == b'\n').count();
-    let column = match bytes.iter().rposition(|byte| *byte == b'\n') {
+    let lines = memchr::memchr_iter(b'\n', bytes).count();
+    let column = match memchr::memrchr(b'\n', bytes) {
         Some(last) => bytes.len() - last - 1,
         None => at.column.unwrap_or(0) + bytes.len(),
     };
@@ -159,10 +160,12 @@ impl<'r, F: FnMut(FeatureText<'_>) -> Result<bool, ()>> Cutter<'r, F> {
             let rest = &self.text[self.at..];
             let start = match self.next(rest) {
                 Next::Starts(start) if rest.len() - start >= self.wanted || self.is_exhausted => start,
-                Next::NoFeature => return Ok(self.end()),
-                _ if self.is_exhausted => return Ok(self.end()),
-                _ => {
+                Next::Starts(_) | Next::MoreText if !self.is_exhausted => {
                     self.fill()?;
+                    continue;
+                }
+                _ => {
+                    self.end();
                     continue;
                 }
             };
@@ -193,7 +196,7 @@ impl<'r, F: FnMut(FeatureText<'_>) -> Result<bool, ()>> Cutter<'r, F> {
 
     fn next(&self, rest: &[u8]) -> Next {
         let is_first = self.count == 0;
-        let mut commas = if self.documents == Documents::One && !is_first { 1 } else { 0 };
+        let mut commas = usize::from(self.documents == Documents::One && !is_first);
         let start = match rest.strip_prefix(BYTE_ORDER_MARK) {
             Some(_) if self.documents == Documents::Many && is_first => BYTE_ORDER_MARK.len(),
             _ => 0,
