@@ -4,7 +4,7 @@ use super::crs::Crs;
 use super::each::Each;
 use super::error::{ReadError, WriteError};
 use super::geojson_cut::{Piece, read_parts};
-use super::geojson_feature::with_box;
+use super::geojson_feature::{Rows, with_box};
 use super::json::{self, InDegrees, Names};
 use super::losses::is_reserved_in_json;
 use super::model::{Feature, Geometry, Header, Id, Layer, Position, Shape, Value, json_number};
@@ -16,15 +16,15 @@ use std::io::{self, Read, Write};
 /// Reads features, passing each to `each`.
 pub(super) fn read(reader: &mut dyn Read, documents: Documents, each: &mut Each<'_>) -> Result<Header, ReadError> {
     let mut header = Header::default();
-    let mut names = Names::default();
+    let mut rows = Rows::default();
     let mut in_degrees = InDegrees::default();
     read_parts(reader, documents, |piece| {
         let feature = match piece {
-            Piece::Feature(text) => match text.feature(&mut names) {
+            Piece::Feature(text) => match text.feature(&mut rows) {
                 Some(feature) => feature,
                 None => return Ok(false),
             },
-            Piece::Part(Part::Feature(parsed)) => feature(*parsed, &mut names),
+            Piece::Part(Part::Feature(parsed)) => feature(*parsed, &mut rows.names),
             Piece::Part(Part::Member(name, member)) => {
                 match member {
                     member if name == "crs" => header.crs = Some(Crs::of_member(member)),

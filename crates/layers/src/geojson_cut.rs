@@ -19,7 +19,7 @@ use std::cell::{Cell, RefCell};
 use std::cmp::Ordering;
 use std::io::{self, Cursor, ErrorKind, Read};
 
-/// The least number of bytes that are asked for at once.
+/// The number of bytes that are asked for at once.
 const CHUNK: usize = 1 << 16;
 
 const START: TextPlace = TextPlace { line: 1, column: Some(0) };
@@ -66,7 +66,7 @@ struct Cutter<'r, F> {
     /// The bytes that were read; those before `at` have been parsed or passed on.
     text: Vec<u8>,
     at: usize,
-    /// The number of unparsed bytes from which on it is worth trying to parse a feature.
+    /// The number of unparsed bytes from which on it is worth looking for a feature.
     wanted: usize,
     /// True after the last byte, or after an error of the reader.
     is_exhausted: bool,
@@ -158,10 +158,16 @@ impl<'r, F: FnMut(FeatureText<'_>) -> Result<bool, ()>> Cutter<'r, F> {
     fn cut(&mut self) -> io::Result<()> {
         while self.is_cutting() {
             let rest = &self.text[self.at..];
+            if rest.len() < self.wanted && !self.is_exhausted {
+                self.fill()?;
+                continue;
+            }
+            // Bytes are looked at again at most log n times, however few of them come at once.
+            let twice = 2 * rest.len() + 1;
             let start = match self.next(rest) {
-                Next::Starts(start) if rest.len() - start >= self.wanted || self.is_exhausted => start,
-                Next::Starts(_) | Next::MoreText if !self.is_exhausted => {
-                    self.fill()?;
+                Next::Starts(start) => start,
+                Next::MoreText if !self.is_exhausted => {
+                    self.wanted = twice;
                     continue;
                 }
                 _ => {
@@ -173,8 +179,7 @@ impl<'r, F: FnMut(FeatureText<'_>) -> Result<bool, ()>> Cutter<'r, F> {
             let taken = match parsed.next() {
                 Some(Ok(feature)) => (self.take)(feature),
                 Some(Err(error)) if error.is_eof() && !self.is_exhausted => {
-                    // A feature of n bytes is parsed from the start at most log n times.
-                    self.wanted = 2 * (rest.len() - start);
+                    self.wanted = twice;
                     continue;
                 }
                 _ => Ok(false),
@@ -213,11 +218,11 @@ impl<'r, F: FnMut(FeatureText<'_>) -> Result<bool, ()>> Cutter<'r, F> {
         Next::MoreText
     }
 
-    /// Reads more bytes, at least as many as there are already, if the reader has them.
+    /// Reads more bytes.
     fn fill(&mut self) -> io::Result<()> {
         self.pass();
         let length = self.text.len();
-        self.text.resize(length + length.max(CHUNK), 0);
+        self.text.resize(length + CHUNK, 0);
         let read = self.reader.read(&mut self.text[length..]);
         self.text.truncate(length + *read.as_ref().unwrap_or(&0));
         match read {

@@ -5,11 +5,13 @@
 use super::json::{self, Names};
 use super::model::{Feature, Geometry, Id, Line, Members, Position, Shape, Value, json_number};
 use crate::io::MAX_NESTED_COLLECTIONS;
-use serde::de::value::SeqAccessDeserializer;
+use rustc_hash::FxHashSet;
+use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, SeqAccess, Visitor};
 use serde_json::Value as Json;
 use std::borrow::Cow;
 use std::fmt;
+use std::sync::Arc;
 
 /// A feature as it is written.
 #[derive(serde::Deserialize)]
@@ -204,7 +206,7 @@ impl<'de> Deserialize<'de> for Value {
             }
 
             fn visit_map<A: MapAccess<'de>>(self, object: A) -> Result<Value, A::Error> {
-                Json::deserialize(serde::de::value::MapAccessDeserializer::new(object)).map(Value::Json)
+                Json::deserialize(MapAccessDeserializer::new(object)).map(Value::Json)
             }
         }
         deserializer.deserialize_any(ValueVisitor)
@@ -241,6 +243,29 @@ impl<'de> Deserialize<'de> for Id {
     }
 }
 
+/// The columns of features, which are mostly those of the feature before.
+#[derive(Debug, Default)]
+pub(super) struct Rows {
+    pub(super) names: Names,
+    last: Vec<Arc<str>>,
+}
+
+impl Rows {
+    /// Shares the names of a row; `None` if a name is repeated.
+    fn shared(&mut self, row: Vec<(Cow<'_, str>, Value)>) -> Option<Vec<(Arc<str>, Value)>> {
+        let is_like_last = row.len() == self.last.len() && row.iter().zip(&self.last).all(|((a, _), b)| **a == **b);
+        if !is_like_last {
+            self.last = row.iter().map(|(name, _)| self.names.get(name)).collect();
+            let distinct: FxHashSet<&str> = self.last.iter().map(|name| &**name).collect();
+            if distinct.len() < self.last.len() {
+                self.last.clear();
+                return None;
+            }
+        }
+        Some(self.last.iter().cloned().zip(row.into_iter().map(|(_, value)| value)).collect())
+    }
+}
+
 /// The greatest depth of other values: the other reader counts what is around a feature as well.
 const DEEPEST: usize = 40;
 
@@ -259,7 +284,7 @@ fn are_flat(members: &Members) -> bool {
 
 impl FeatureText<'_> {
     /// Returns the feature, unless something is not in its usual form.
-    pub(super) fn feature(self, names: &mut Names) -> Option<Feature> {
+    pub(super) fn feature(self, rows: &mut Rows) -> Option<Feature> {
         let properties = self.properties.map(|properties| properties.0).unwrap_or_default();
         let is_flat = |value: &Value| if let Value::Json(value) = value { is_flat(value, DEEPEST) } else { true };
         if !are_flat(&self.members) || !properties.iter().all(|(_, value)| is_flat(value)) {
@@ -269,7 +294,7 @@ impl FeatureText<'_> {
             Some(geometry) => Some(geometry.geometry(0)?),
             None => None,
         };
-        let attributes = names.of_row(properties)?;
+        let attributes = rows.shared(properties)?;
         Some(Feature { id: self.id, geometry, attributes, members: with_box(self.bbox, self.members) })
     }
 }

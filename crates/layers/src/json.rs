@@ -1,10 +1,9 @@
 //! Common parts of GeoJSON and TopoJSON.
 
 use super::crs::Crs;
-use super::model::{Dimensions, Geometry, Members, Position, Shape, Value};
-use rustc_hash::{FxHashMap, FxHashSet};
+use super::model::{Dimensions, Geometry, Members, Position, Shape};
+use rustc_hash::FxHashMap;
 use serde::de::{Deserialize, Deserializer, Error, SeqAccess, Visitor};
-use std::borrow::Cow;
 use std::fmt;
 use std::sync::Arc;
 
@@ -36,35 +35,17 @@ impl InDegrees {
 
 /// The names of columns, each stored once.
 #[derive(Debug, Default)]
-pub(super) struct Names {
-    known: FxHashMap<Box<str>, Arc<str>>,
-    /// The names of the last row.
-    row: Vec<Arc<str>>,
-}
+pub(super) struct Names(FxHashMap<Box<str>, Arc<str>>);
 
 impl Names {
     /// Returns the shared copy of a name. O(its length), expected.
     pub(super) fn get(&mut self, name: &str) -> Arc<str> {
-        if let Some(known) = self.known.get(name) {
+        if let Some(known) = self.0.get(name) {
             return known.clone();
         }
         let new: Arc<str> = name.into();
-        self.known.insert(name.into(), new.clone());
+        self.0.insert(name.into(), new.clone());
         new
-    }
-
-    /// Shares the names of a row, which are mostly those of the row before it; `None` if a name is repeated.
-    pub(super) fn of_row(&mut self, row: Vec<(Cow<'_, str>, Value)>) -> Option<Vec<(Arc<str>, Value)>> {
-        let is_like_last = row.len() == self.row.len() && row.iter().zip(&self.row).all(|((a, _), b)| **a == **b);
-        if !is_like_last {
-            self.row = row.iter().map(|(name, _)| self.get(name)).collect();
-            let distinct: FxHashSet<&str> = self.row.iter().map(|name| &**name).collect();
-            if distinct.len() < self.row.len() {
-                self.row.clear();
-                return None;
-            }
-        }
-        Some(self.row.iter().cloned().zip(row.into_iter().map(|(_, value)| value)).collect())
     }
 }
 

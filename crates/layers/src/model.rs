@@ -4,7 +4,8 @@ use super::crs::Crs;
 use std::collections::HashSet;
 use std::sync::Arc;
 
-/// A position: x, y, and the further dimensions of the file. It is deserialized from an array of two numbers or more.
+/// A position: x, y, and the further dimensions of the file. With the feature `geojson` or `topojson` it is deserialized from an array
+/// of two numbers or more.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Position {
     /// The first coordinate.
@@ -140,7 +141,7 @@ impl Shape {
     }
 }
 
-/// The value of an attribute.
+/// The value of an attribute. With the feature `geojson` it is deserialized from a value of JSON.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub enum Value {
@@ -225,7 +226,7 @@ pub(super) fn hex(bytes: &[u8]) -> String {
     bytes.iter().flat_map(|byte| [digit(byte >> 4), digit(*byte)]).collect()
 }
 
-/// The id of a feature.
+/// The id of a feature. With the feature `geojson` it is deserialized from a text or a number.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Id {
     /// A text.
