@@ -3,7 +3,7 @@
 //! It runs fewer tests than the [check](super::check()): the others follow (`proofs/coq/certificates/Fewer.v`). `next(prev(h)) = h` follows from
 //! `prev(next(h)) = h` by counting. In the plane, if the sums fit, a vertex keeps a half-edge of each rotation, and a boundary component starts
 //! with one of each cycle: so the origin of a half-edge keeps one, and its boundary component starts with one. As different boundary components
-//! have different places, faces list nothing else if there are as many boundary components as entries.
+//! have different places, faces list nothing else if there are no more entries than boundary components.
 
 use super::answers::Answers;
 use super::storage::Columns;
@@ -24,22 +24,22 @@ pub(super) fn plane<V: View + ?Sized, C: Columns>(s: &Answers<'_, V, C>) -> Opti
         sums.rotations += usize::from(s.leaving(v).is_some());
         s.vertex_ok(v).then_some(())?;
     }
-    // The number of boundary components that no face has listed.
-    let mut unlisted = 0_usize;
+    // The number of entries of faces that may follow.
+    let mut entries = 0_usize;
     for b in (0..s.boundaries).filter(|b| s.is_boundary(*b)) {
         let is_cycle = s.cycle_start(b).is_some();
         sums.cycles += usize::from(is_cycle);
         sums.roots += usize::from(is_cycle && s.is_inner(b));
-        unlisted += 1;
+        entries += 1;
         (s.start_ok(b) && s.place_ok(b)).then_some(())?;
     }
     for f in (0..s.faces).filter(|f| s.is_face(*f)) {
         let is_unbounded = s.outer(f).is_none();
         sums.unbounded += usize::from(is_unbounded);
-        unlisted = unlisted.checked_sub(usize::from(!is_unbounded))?.checked_sub(s.inner_count(f))?;
+        entries = entries.checked_sub(usize::from(!is_unbounded))?.checked_sub(s.inner_count(f))?;
         (!s.by_name() || s.face_starts_ok(f)).then_some(())?;
     }
-    (unlisted == 0 && sums.unbounded == 1 && sums.fit(0)).then_some(sums)
+    (sums.unbounded == 1 && sums.fit(0)).then_some(sums)
 }
 
 /// Returns the number of half-edges.

@@ -7,7 +7,7 @@
       components ([skeleton]) has the same rotations, cycles and pieces, and Euler's formula holds in it. So if the sums fit, each rotation
       has a half-edge that a vertex keeps, and each cycle one with which a boundary component starts.
     - What a face lists, by counting: different boundary components say different places, and each of these lists them. Where there
-      are as many as entries, no entry is left. *)
+      are no more entries than boundary components, no entry is left. *)
 
 From mathcomp Require Import all_ssreflect all_fingroup.
 From twinedge Require Import Arith View Rules Loops LoopsProof Reference Map Counting ReferenceProof TopologyProof.
@@ -173,7 +173,7 @@ Definition entry_count t := sumn [seq ~~ is_nil (outer t f) + inner_count t f | 
 Section Lists.
 Variable t : view.
 Hypothesis boundaries : forall b, boundary t b -> place_ok t b.
-Hypothesis count : number (boundary_slots t) (boundary t) = entry_count t.
+Hypothesis count : entry_count t <= number (boundary_slots t) (boundary t).
 
 (** An entry is a face and a number: 0 for the outer boundary component, i + 1 for inner ones. *)
 Definition codes f := (if is_nil (outer t f) then [::] else [:: 0]) ++ iota 1 (inner_count t f).
@@ -202,8 +202,8 @@ have sub : {subset [seq named b | b <- boundary_list] <= entries}.
   rewrite mem_cat; case: k L => [|i] /= L; first by rewrite L.
   by apply/orP; right; rewrite mem_iota add1n /= ltnS; apply: inner_lt L.
 have le : size entries <= size [seq named b | b <- boundary_list].
-  rewrite size_map size_filter -numberE count size_allpairs_dep /entry_count.
-  rewrite (@eq_map _ _ _ (fun f => size (codes f))) // => f.
+  rewrite size_map size_filter -numberE; apply: leq_trans count; rewrite size_allpairs_dep /entry_count.
+  rewrite (@eq_map _ _ (fun f => size (codes f)) (fun f => ~~ is_nil (outer t f) + inner_count t f)) // => f.
   by rewrite /codes size_cat size_iota; case: (is_nil _).
 by have [_] := uniq_min_size u sub le.
 Qed.
@@ -237,11 +237,11 @@ Definition few_half_edge_ok h :=
 
 Definition few_accept :=
   [&& each_half_edge t few_half_edge_ok, each_vertex t (vertex_ok t), each_boundary t (boundary_ok t),
-      number (boundary_slots t) (boundary t) == entry_count t & one_unbounded t && euler_ok t].
+      entry_count t <= number (boundary_slots t) (boundary t) & one_unbounded t && euler_ok t].
 
 Theorem few_suffice : few_accept -> accepts t rank.
 Proof.
-case/and5P=> /each_half_edgeP H /each_vertexP V /each_boundaryP B /eqP count /andP[unbounded euler].
+case/and5P=> /each_half_edgeP H /each_vertexP V /each_boundaryP B count /andP[unbounded euler].
 have twins h : half_edge t h -> twin_ok t h by case/H/and5P.
 have nexts h : half_edge t h -> next t h >>= prev t = Some h by case/H/and5P=> _ /same_linkP.
 have targets h : half_edge t h -> next t h >>= origin t = twin t h >>= origin t by case/H/and5P=> _ _ /same_linkP.

@@ -24,6 +24,15 @@ const TEXTS: [&str; 10] = [
     r#"{"type":"FeatureCollection","features":[{"type":"Feature","geometry":{"bbox":[0,0,1,1],"type":"LineString","x":{"y":1},"coordinates":[]},"bbox":null,"z":2},{"type":"Feature","geometry":{"coordinates":[[],[[1,2]]],"type":"Polygon"}},{"type":"Feature","geometry":{"type":"MultiPolygon","coordinates":[]}},{"type":"Feature","geometry":{"type":"MultiPolygon","coordinates":[[[[1,2,3],[4,5,6]],[]],[]]}},{"type":"Feature","geometry":{"type":"MultiLineString","coordinates":[[[1,2]],[]]}},{"type":"Feature","geometry":{"type":"Polygon","coordinates":[]}}]}"#,
 ];
 
+/// Commas that are missing or too many.
+const WRONG_COMMAS: [&str; 5] = [
+    r#"{"type":"FeatureCollection","features":[{"type":"Feature","geometry":null}{"type":"Feature","geometry":null}]}"#,
+    r#"{"type":"FeatureCollection","features":[{"type":"Feature","geometry":null} {"type":"Feature","geometry":null}]}"#,
+    r#"{"type":"FeatureCollection","features":[{"type":"Feature","geometry":null},,{"type":"Feature","geometry":null}]}"#,
+    r#"{"type":"FeatureCollection","features":[,{"type":"Feature","geometry":null}]}"#,
+    r#"{"type":"FeatureCollection","features":[{"type":"Feature","geometry":null},]}"#,
+];
+
 /// Several objects, in lines or after record separators, some of which are no features.
 const SEQUENCES: [&str; 3] = [
     "\u{feff}{\"type\":\"Feature\",\"geometry\":null,\"properties\":{\"a\":1}}\n\n{\"type\":\"Feature\",\"properties\":{\"a\":[2]},\"geometry\":{\"type\":\"Point\",\"coordinates\":[1,2]}} ",
@@ -119,6 +128,10 @@ fn right_texts_are_read_as_byte_by_byte() {
 
 #[test]
 fn wrong_texts_have_the_errors_and_places_of_byte_by_byte() {
+    for text in WRONG_COMMAS {
+        assert!(whole(text.as_bytes(), Format::GeoJson).1.is_some(), "{text}");
+        compare(text.as_bytes(), Format::GeoJson);
+    }
     const BYTES: &[u8] = b"{}[]\",:\\ \n0-e.tn\x00\xff";
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
     let (mut judged, mut failed) = (0, 0);
