@@ -128,11 +128,11 @@ fn right_texts_are_read_as_byte_by_byte() {
 
 #[test]
 fn wrong_texts_have_the_errors_and_places_of_byte_by_byte() {
+    const BYTES: &[u8] = b"{}[]\",:\\ \n0-e.tn\x00\xff";
     for text in WRONG_COMMAS {
         assert!(whole(text.as_bytes(), Format::GeoJson).1.is_some(), "{text}");
         compare(text.as_bytes(), Format::GeoJson);
     }
-    const BYTES: &[u8] = b"{}[]\",:\\ \n0-e.tn\x00\xff";
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
     let (mut judged, mut failed) = (0, 0);
     for (text, format) in texts().cycle().take(2_500) {
