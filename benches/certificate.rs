@@ -40,6 +40,12 @@ fn grid(criterion: &mut Criterion) {
         b.iter(|| assert_eq!(check_surface(black_box(&mesh), black_box(&labels), genus), Ok(())));
     });
     group.bench_function("mesh: labels", |b| b.iter(|| Labels::of_surface(black_box(&mesh))));
+    group.bench_function("mesh: labels, and their check", |b| {
+        b.iter(|| {
+            let (labels, genus) = Labels::of_surface(black_box(&mesh)).expect("there is memory");
+            assert_eq!(check_surface(&mesh, &labels, genus), Ok(()));
+        });
+    });
 
     let labels = Labels::new(dcel).expect("there is memory");
     print_size("plane", &labels, half_edges);

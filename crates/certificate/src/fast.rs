@@ -1,9 +1,9 @@
 //! The fast pass: whether all tests pass. It notes no failures, and reads half-edges from columns if the structure lends them.
 //!
 //! It runs fewer tests than the [check](super::check()): the others follow (`proofs/coq/certificates/Fewer.v`). `next(prev(h)) = h` follows from
-//! `prev(next(h)) = h` by counting. In the plane, if the sums fit, a vertex keeps a half-edge of each rotation, and a boundary component starts
-//! with one of each cycle: so the origin of a half-edge keeps one, and its boundary component starts with one. As different boundary components
-//! have different places, faces list nothing else if there are no more entries than boundary components.
+//! `prev(next(h)) = h` by counting. In the plane, and for genus 0, if the sums fit, a vertex keeps a half-edge of each rotation, and a boundary
+//! component starts with one of each cycle: so the origin of a half-edge keeps one, and its boundary component starts with one. As different
+//! boundary components have different places, faces list nothing else if there are no more entries than boundary components.
 
 use super::answers::Answers;
 use super::storage::Columns;
@@ -65,7 +65,7 @@ impl<V: View + ?Sized, C: Columns> Answers<'_, V, C> {
 }
 
 /// The twin, the next and the previous half-edge.
-type Star = (usize, usize, Link);
+pub(super) type Star = (usize, usize, Link);
 
 /// The links of half-edges as numbers. Links that are nil or lead to no slot become numbers that are no slots.
 pub(super) trait HalfEdges: Copy {

@@ -1,11 +1,11 @@
-//! The checker for surfaces of any genus: positions show that each rotation and each cycle is one orbit.
+//! The checker for surfaces of any genus. Each rotation and each cycle is one orbit: for genus 0 by Euler's formula, otherwise by positions.
 //!
 //! Each function is a row of the table of surfaces in `proofs/coq/CERTIFICATE.md`, and a definition in `proofs/coq/certificates/Surface.v`,
 //! under the same name. Boundary components are the faces: if half-edges name their face, the face takes that role.
 
 use super::answers::Answers;
 use super::columns::{Column, Labels};
-use super::fast::{Asked, HalfEdges, Lent};
+use super::fast::{Asked, HalfEdges, Lent, Star};
 use super::storage::{Columns, Entries as _, Numbers as _};
 use super::sums::Sums;
 use super::test::{Failure, Failures, Noted, Test, UntilFailure};
@@ -69,49 +69,73 @@ impl<V: View + ?Sized, C: Columns> Surface<'_, V, C> {
             failures.note(Test::Readable, 0, false);
             return failures.into_result().map(|()| Sums::default());
         }
-        let half_edges = || (0..self.0.half_edges).filter(|h| self.0.is_half_edge(*h));
-        let roots = half_edges().filter(|h| self.component(*h) == Some(*h)).count();
-        let counted = Sums { half_edges: half_edges().count(), roots, ..Sums::default() };
-        let sums = self.records(counted, open, &mut failures).unwrap_or_default();
-        half_edges().for_each(|h| self.note_half_edge(h, open, &mut failures));
-        failures.note(Test::GenusOk, 0, sums.fit(genus.unwrap_or(sums.counts().genus)));
+        let sums = self.records(self.counted(self.asked()), open, &mut failures).unwrap_or_default();
+        let genus = genus.unwrap_or(sums.counts().genus);
+        for h in (0..self.0.half_edges).filter(|h| self.0.is_half_edge(*h)) {
+            self.note_half_edge(h, open, genus, &mut failures);
+        }
+        failures.note(Test::GenusOk, 0, sums.fit(genus));
         failures.into_result().map(|()| sums)
     }
 
-    /// The fast pass: returns the counts if all tests pass. It leaves out that `next(prev(h)) = h`, which follows.
+    /// The fast pass: returns the counts if all tests pass. It leaves out what follows (`proofs/coq/certificates/Fewer.v`): that
+    /// `next(prev(h)) = h`, and for genus 0 that the vertex keeps a half-edge and the boundary component starts with one.
     #[inline(always)]
     fn pass(&self, open: bool, genus: Option<usize>) -> Option<Sums> {
         self.0.readable().then_some(())?;
-        let sums = match Lent::of(&self.0, self.0.by_record() || self.0.by_name()) {
-            Some(lent) => self.half_edges(open, lent)?,
-            None => self.half_edges(open, Asked { s: &self.0, name: |h| self.boundary(h) })?,
-        };
-        let sums = self.records(sums, open, &mut UntilFailure)?;
-        sums.fit(genus.unwrap_or(sums.counts().genus)).then_some(sums)
+        match Lent::of(&self.0, self.0.by_record() || self.0.by_name()) {
+            Some(lent) => self.pass_over(open, genus, lent),
+            None => self.pass_over(open, genus, self.asked()),
+        }
     }
 
-    /// Returns the numbers of half-edges and of roots, if all half-edges pass.
     #[inline(always)]
-    fn half_edges(&self, open: bool, links: impl HalfEdges) -> Option<Sums> {
-        let mut sums = Sums::default();
-        // One entry applies to all half-edges.
-        let one = if self.0.labels.column(Column::HalfEdgeComponent).count() == 1 { self.component(0) } else { None };
+    fn pass_over(&self, open: bool, genus: Option<usize>, links: impl HalfEdges) -> Option<Sums> {
+        let sums = self.records(self.counted(links), open, &mut UntilFailure)?;
+        let genus = genus.unwrap_or(sums.counts().genus);
+        sums.fit(genus).then_some(())?;
+        let one = self.one_component();
         for h in (0..self.0.half_edges).filter(|h| links.is_live(*h)) {
             let star = links.star(h)?;
             let (t, n, _) = star;
             let component = if one.is_some() { one } else { self.component(h) };
             component?;
             (one.is_some() || self.component(n) == component && self.component(t) == component).then_some(())?;
-            let is_root = component == Some(h);
-            (is_root || self.0.is_ranked(h, star)).then_some(())?;
-            let (kept, start, turned) = (self.0.leaving(links.origin(h))?, self.start(links.name(h))?, links.next(t));
-            (kept == turned || links.is_live(turned) && self.grows(Column::HalfEdgeTurn, h, turned)).then_some(())?;
-            (start == n || self.grows(Column::HalfEdgeStep, h, n)).then_some(())?;
+            (component == Some(h) || self.0.is_ranked(h, star)).then_some(())?;
+            (genus == 0 || self.is_placed(h, star, links)).then_some(())?;
             (!open || self.border_ok(h)).then_some(())?;
-            sums.half_edges += 1;
-            sums.roots += usize::from(is_root);
         }
         Some(sums)
+    }
+
+    /// Returns true if the positions of the next half-edge around the origin, and of the next one on the cycle, are greater, or these are the first.
+    #[inline(always)]
+    fn is_placed(&self, h: usize, (t, n, _): Star, links: impl HalfEdges) -> bool {
+        let (kept, start) = (self.0.leaving(links.origin(h)), self.start(links.name(h)));
+        let turned = links.next(t);
+        kept.is_some_and(|g| g == turned || links.is_live(turned) && self.grows(Column::HalfEdgeTurn, h, turned))
+            && start.is_some_and(|g| g == n || self.grows(Column::HalfEdgeStep, h, n))
+    }
+
+    fn asked(&self) -> Asked<'_, V, C, impl Fn(usize) -> Link + Copy> {
+        Asked { s: &self.0, name: |h| self.boundary(h) }
+    }
+
+    /// Returns the numbers of half-edges and of roots.
+    #[inline(always)]
+    fn counted(&self, links: impl HalfEdges) -> Sums {
+        let half_edges = || (0..self.0.half_edges).filter(|h| links.is_live(*h));
+        let roots = match self.one_component() {
+            Some(root) => usize::from(links.is_live(root)),
+            None => half_edges().filter(|h| self.component(*h) == Some(*h)).count(),
+        };
+        Sums { half_edges: half_edges().count(), roots, ..Sums::default() }
+    }
+
+    /// Returns the component of all half-edges, if one entry stands for them.
+    #[inline(always)]
+    fn one_component(&self) -> Link {
+        if self.0.labels.column(Column::HalfEdgeComponent).count() == 1 { self.component(0) } else { None }
     }
 
     /// Runs every test of vertices, boundary components and faces, and counts them. Returns `None` if the check ended early.
@@ -197,7 +221,7 @@ impl<V: View + ?Sized, C: Columns> Surface<'_, V, C> {
     }
 
     /// Runs all tests of a half-edge.
-    fn note_half_edge(&self, h: usize, open: bool, failures: &mut Failures) {
+    fn note_half_edge(&self, h: usize, open: bool, genus: usize, failures: &mut Failures) {
         let ([twin, next, prev], boundary) = (self.0.links(h), self.boundary(h));
         let (kept, turned) = (self.0.kept(h), twin.and_then(|t| self.0.next(t)));
         let start = boundary.and_then(|b| self.start(b));
@@ -208,11 +232,11 @@ impl<V: View + ?Sized, C: Columns> Surface<'_, V, C> {
         failures.note(Test::CycleOk, h, next.and_then(|n| self.boundary(n)) == boundary && start.is_some());
         // The next half-edge around the origin is the one kept by the vertex, or has a greater turn.
         failures.note(Test::TurnOk, h, {
-            turned.is_some_and(|g| kept == Some(g) || self.grows(Column::HalfEdgeTurn, h, g))
+            genus == 0 || turned.is_some_and(|g| kept == Some(g) || self.grows(Column::HalfEdgeTurn, h, g))
         });
         // The next half-edge on the cycle is the start of the boundary component, or has a greater step.
         failures.note(Test::StepOk, h, {
-            next.is_some_and(|n| start == Some(n) || self.grows(Column::HalfEdgeStep, h, n))
+            genus == 0 || next.is_some_and(|n| start == Some(n) || self.grows(Column::HalfEdgeStep, h, n))
         });
         failures.note(Test::ComponentOk, h, {
             let ranked = component == Some(h) || lower(next) || lower(prev) || lower(twin);

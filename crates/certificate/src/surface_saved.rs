@@ -9,7 +9,6 @@ use super::sums::Sums;
 use super::surface::Surface;
 use super::surface_counts::SurfaceCounts;
 use super::test::Failure;
-use crate::NIL;
 use alloc::vec::Vec;
 use twinedge::validate::View;
 
@@ -53,14 +52,14 @@ impl SurfaceCertificate {
     pub fn new<V: View + ?Sized>(view: &V) -> Result<Self, LabelsError> {
         let mut certificate = Certificate { columns: closed(view)? };
         let (mut labels, _) = Labels::of_surface(&certificate)?;
-        // One entry may stand for the component of all later ones; in a certificate each has its own.
-        let components = labels.column_mut(Column::HalfEdgeComponent);
-        let missing = certificate.half_edge_slots() - components.len().min(certificate.half_edge_slots());
-        components.try_reserve_exact(missing).map_err(|_| LabelsError::OutOfMemory)?;
-        let last = components.last().copied().unwrap_or(NIL);
-        components.resize(components.len() + missing, last);
+        // In a certificate each half-edge has an entry: the last component stands for all later ones, and positions are missing for genus 0.
         for column in LABELS {
-            certificate.columns.set(column, core::mem::take(labels.column_mut(column)));
+            let entries = labels.column_mut(column);
+            let missing = certificate.half_edge_slots().saturating_sub(entries.len());
+            entries.try_reserve_exact(missing).map_err(|_| LabelsError::OutOfMemory)?;
+            let last = entries.last().copied().unwrap_or_default();
+            entries.resize(entries.len() + missing, last);
+            certificate.columns.set(column, core::mem::take(entries));
         }
         Ok(Self { certificate })
     }

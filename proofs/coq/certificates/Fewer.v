@@ -3,7 +3,7 @@
     A checker that names the tests that fail runs them all. One that only decides may leave out some, as they follow:
 
     - [next (prev h) = h], by counting: where [prev (next h) = h] for all half-edges, [next] is injective, so that it reaches each of them.
-    - That the origin keeps a half-edge, and that the boundary component starts with one. The view without vertices and boundary
+    - That the origin keeps a half-edge, and that the boundary component starts with one: in the plane, and on surfaces of genus 0 ([few_spheres]). The view without vertices and boundary
       components ([skeleton]) has the same rotations, cycles and pieces, and Euler's formula holds in it. So if the sums fit, each rotation
       has a half-edge that a vertex keeps, and each cycle one with which a boundary component starts.
     - What a face lists, by counting: different boundary components say different places, and each of these lists them. Where there
@@ -79,6 +79,30 @@ split; first exact: skeleton_map.
 - by move=> b h; rewrite /boundary_start /heard; case: ifP.
 move=> x; rewrite /bnd /boundary_of /heard (dart_live x).
 by rewrite (dart_live (nx x)).
+Qed.
+
+(** *** Ranks lead to roots *)
+
+Lemma roots_reach (rank : nat -> nat) (roots : seq nat) : (forall h, h \in roots -> half_edge t h) ->
+  (forall h, half_edge t h -> h \in roots \/ [|| lower_than rank h (next t h), lower_than rank h (prev t h) | lower_than rank h (twin t h)]) ->
+  forall h, half_edge t h -> exists2 g, g \in roots & reached (near t) g h.
+Proof.
+move=> live down; have map := skeleton_map; have basic := skeleton_basics.
+have reach (x : dart (skeleton t)) : exists2 g, g \in roots & reached (near t) (num x) g.
+  move: {2}(rank _).+1 (ltnSn (rank (num x))) => n; elim: n x => // n IH x lt.
+  have step (y : dart (skeleton t)) : num y \in near (skeleton t) (num x) -> rank (num y) < rank (num x) ->
+      exists2 g, g \in roots & reached (near t) (num x) g.
+    move=> near_y lower; have [|g gr r] := IH y; first exact: leq_trans lower lt.
+    by exists g => //; apply: reached_trans r; apply: reached_near near_y; apply: reached_self.
+  have := down _ (dart_live x : half_edge t (num x)).
+  rewrite (nextE map x : next t (num x) = _) (prevE map x : prev t (num x) = _) (twinE map x : twin t (num x) = _) /=.
+  case=> [xr|/or3P[lower|lower|lower]].
+  - by exists (num x) => //; apply: reached_self.
+  - by apply: (step (nx x)) => //; rewrite (near_dart map) !inE eqxx.
+  - by apply: (step (pv x)) => //; rewrite (near_dart map) !inE eqxx orbT.
+  by apply: (step (tw x)) => //; rewrite (near_dart map) !inE eqxx !orbT.
+move=> h lh; have [x xh] := dartP (lh : half_edge (skeleton t) h); have [g gr r] := reach x; exists g => //.
+by rewrite -xh; apply: (reached_back basic) r; [exact: dart_live|exact: live].
 Qed.
 
 (** *** Each rotation has a vertex, each cycle a boundary component *)
@@ -250,26 +274,12 @@ have keeps v h : leaving t v = Some h -> half_edge t h /\ origin t h = Some v.
   by move=> E; have := V v (heard_live E); rewrite /vertex_ok E => /and3P[lh /same_linkP].
 have starts b h : boundary_start t b = Some (AtHalfEdge h) -> half_edge t h /\ boundary_of t h = Some b.
   by move=> E; have /andP[+ _] := B b (heard_live E); rewrite /start_ok E => /andP[lh /same_linkP].
-have map := skeleton_map twins nexts; have basic := skeleton_basics twins nexts.
 have roots_live h : h \in roots_of t -> half_edge t h.
   case/mapP=> b; rewrite mem_filter /cycle_start /start_of => /andP[/andP[+ _] _].
   by case E: (boundary_start t b) => [[g|]|] //= _ ->; case: (starts _ _ E).
-have down (x : dart (skeleton t)) : exists2 g, g \in roots_of t & reached (near t) (num x) g.
-  move: {2}(rank _).+1 (ltnSn (rank (num x))) => n; elim: n x => // n IH x lt.
-  have step (y : dart (skeleton t)) : num y \in near (skeleton t) (num x) -> rank (num y) < rank (num x) ->
-      exists2 g, g \in roots_of t & reached (near t) (num x) g.
-    move=> near_y lower; have [|g gr r] := IH y; first exact: leq_trans lower lt.
-    by exists g => //; apply: reached_trans r; apply: reached_near near_y; apply: reached_self.
-  have /and5P[_ _ _ _] := H _ (dart_live x : half_edge t (num x)).
-  rewrite /rank_ok (nextE map x : next t (num x) = _) (prevE map x : prev t (num x) = _) (twinE map x : twin t (num x) = _) /=.
-  case/or4P=> [lower|lower|lower|/is_rootP[b [_ _ xr _]]].
-  - by apply: (step (nx x)) => //; rewrite (near_dart map) !inE eqxx.
-  - by apply: (step (pv x)) => //; rewrite (near_dart map) !inE eqxx orbT.
-  - by apply: (step (tw x)) => //; rewrite (near_dart map) !inE eqxx !orbT.
-  by exists (num x) => //; apply: reached_self.
-have roots_cover h : half_edge t h -> exists2 g, g \in roots_of t & reached (near t) g h.
-  move=> lh; have [x xh] := dartP (lh : half_edge (skeleton t) h); have [g gr r] := down x; exists g => //.
-  by rewrite -xh; apply: (reached_back basic) r; [exact: dart_live|exact: roots_live].
+have roots_cover : forall h, half_edge t h -> exists2 g, g \in roots_of t & reached (near t) g h.
+  apply: (roots_reach (rank := rank) twins nexts roots_live) => h lh; have /and5P[_ _ _ _] := H h lh.
+  by case/or4P=> [->|->|->|/is_rootP[b [_ _ hr _]]]; rewrite ?orbT; [right|right|right|left].
 have sums : 2 * (rotation_count t + cycle_count t) = half_edge_count t + 4 * size (roots_of t).
   by rewrite -roots_count; apply/eqP.
 apply/and5P; split; last by rewrite unbounded euler.

@@ -1,7 +1,7 @@
-(** * Surface: certificates of surfaces of any genus, by positions
+(** * Surface: certificates of surfaces of any genus
 
-    Where the genus is not 0, Euler's formula does not say that each vertex has one rotation and each boundary component one
-    cycle, and positions say it: from every half-edge they grow around the vertex, until the half-edge that the vertex keeps,
+    If the genus is 0, Euler's formula says that each vertex has one rotation and each boundary component one cycle, as in the plane. For
+    any other genus positions say it: from every half-edge they grow around the vertex, until the half-edge that the vertex keeps,
     and along the cycle, until the start. A label that names the component is the same along the links, and ranks lead down to
     the half-edge whose number it is, so that there are exactly as many components as these.
 
@@ -17,7 +17,7 @@
 
 From mathcomp Require Import all_ssreflect all_fingroup.
 From twinedge Require Import Arith View Rules Loops LoopsProof Reference Map Counting ReferenceProof TopologyProof.
-From twinedge Require Import Drawing Euler Numbered Genus Labels OneOfEach Orbits.
+From twinedge Require Import Drawing Euler Numbered Genus Labels OneOfEach Orbits Fewer.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -26,10 +26,10 @@ Section Checker.
 Variables (t : view) (position step component rank : nat -> nat) (border : nat -> link) (genus : nat).
 
 Definition turn_ok h :=
-  if turn t h is Some g then same_link (origin t h >>= leaving t) (Some g) || (position h < position g) else false.
+  (genus == 0) || if turn t h is Some g then same_link (origin t h >>= leaving t) (Some g) || (position h < position g) else false.
 
 Definition step_ok h :=
-  if next t h is Some g then same_link (boundary_of t h >>= cycle_start t) (Some g) || (step h < step g) else false.
+  (genus == 0) || if next t h is Some g then same_link (boundary_of t h >>= cycle_start t) (Some g) || (step h < step g) else false.
 
 Definition same_component h (l : link) := if l is Some g then component g == component h else false.
 
@@ -101,60 +101,6 @@ Proof. by split; [exact: map|exact: surface_leaving|exact: surface_start|exact: 
 
 Let basic := surface_basics.
 
-(** Positions that grow until [y] lead to [y]. *)
-Lemma positions_lead (f : dart t -> dart t) (p : nat -> nat) x y : injective f ->
-  (forall k, let z := iter k f x in f z = y \/ p (num z) < p (num (f z))) -> fconnect f x y.
-Proof.
-move=> inj H; have grow k : fconnect f x y \/ p (num x) + k <= p (num (iter k f x)).
-  elim: k => [|k [|le]]; [by right; rewrite addn0|by left|].
-  case: (H k) => [<-|lt]; first by left; apply: (fconnect_iter f k.+1).
-  by right; rewrite addnS; apply: leq_ltn_trans le lt.
-case: (grow (fingraph.order f x)) => //; rewrite iter_order // => le.
-by have := fingraph.order_gt0 f x; move: le; rewrite -{2}[p (num x)]addn0 leq_add2l leqn0 => /eqP->.
-Qed.
-
-Lemma surface_kept (x : dart t) : exists2 y : dart t, leaving t (org x) = Some (num y) & fconnect (@tn t) x y.
-Proof.
-have /and5P[_ _ _ + _] := half_edges (dart_live x); rewrite /origin_ok (originE map) /=.
-case E: (leaving t (org x)) => [h|] // _; have [/dartP[y yh] _] := surface_leaving E; exists y; first by rewrite yh.
-apply: (positions_lead (p := position) (tn_inj map)) => k /=; set z := iter k _ x.
-have oz : org z = org x by rewrite /z; elim: (k) => //= j IH; rewrite org_tn.
-have /and5P[_ _ _ _ /and5P[_ + _ _ _]] := half_edges (dart_live z).
-rewrite /turn_ok (turnE map) (originE map) /= oz E => /orP[/same_linkP[]|lt]; last by right.
-by rewrite -yh => /num_inj->; left.
-Qed.
-
-Lemma surface_started (x : dart t) : exists2 y : dart t, boundary_start t (bnd x) = Some (AtHalfEdge (num y)) & fconnect (@nx t) x y.
-Proof.
-have /and5P[_ _ _ _ /and5P[/andP[_ +] _ _ _ _]] := half_edges (dart_live x); rewrite (boundaryE map) /= /cycle_start.
-case E: (boundary_start t (bnd x)) => [[h|]|] // _; have [/dartP[y yh] _] := surface_start E; exists y; first by rewrite yh.
-apply: (positions_lead (p := step) (nx_inj map)) => k /=; set z := iter k _ x.
-have bz : bnd z = bnd x by rewrite /z; elim: (k) => //= j IH; rewrite surface_cycle.
-have /and5P[_ _ _ _ /and5P[_ _ + _ _]] := half_edges (dart_live z).
-rewrite /step_ok (nextE map) (boundaryE map) /= bz /cycle_start E => /orP[/same_linkP[]|lt]; last by right.
-by rewrite -yh => /num_inj->; left.
-Qed.
-
-Lemma surface_v1 : v1_leaving t.
-Proof. by move=> v h _ /surface_leaving[]. Qed.
-
-Lemma surface_v2 : v2_rotation t.
-Proof.
-move=> g h /dartP[x <-] /dartP[y <-]; rewrite (on_rotationE map) !(originE map); split=> [/(org_orbit basic)-> //|[xy]].
-have [k kx xk] := surface_kept x; have [l ly yl] := surface_kept y; move: kx; rewrite xy ly => -[/num_inj kl].
-by apply: connect_trans xk _; rewrite -kl fconnect_sym //; apply: tn_inj.
-Qed.
-
-Lemma surface_b1 : b1_cycle t.
-Proof.
-split=> [h /dartP[x <-]|b h lb /dartP[x <-]]; first by rewrite (nextE map) /= !(boundaryE map) surface_cycle.
-rewrite (boundaryE map); split=> [[xb]|[g S]].
-  have [y S xy] := surface_started x; exists (num y); first by rewrite -xb.
-  by apply/(on_cycleE map); rewrite fconnect_sym //; apply: nx_inj.
-have [/dartP[y yg]] := surface_start S; rewrite -yg (boundaryE map) => -[yb] /(on_cycleE map)/(bnd_orbit basic) yx.
-by rewrite -yx yb.
-Qed.
-
 (** *** Components *)
 
 Definition component_roots := [seq h <- iota 0 (half_edge_slots t) | half_edge t h && (component h == h)].
@@ -194,6 +140,86 @@ split; first exact: filter_uniq (iota_uniq _ _).
   by rewrite -Ex -Ey; apply/esym/component_same.
 move=> h /dartP[x <-]; have [y Ey xy] := component_descends x; exists (num y); last exact: (joined_sym map xy).
 by rewrite mem_filter dart_live Ey eqxx mem_iota add0n half_edge_below ?dart_live.
+Qed.
+
+(** *** Rotations and cycles *)
+
+(** Genus 0: by Euler's formula. *)
+Lemma surface_orbits (x : dart t) : genus = 0 ->
+  (exists2 y : dart t, leaving t (org x) = Some (num y) & fconnect (@tn t) x y) /\
+  (exists2 y : dart t, boundary_start t (bnd x) = Some (AtHalfEdge (num y)) & fconnect (@nx t) x y).
+Proof.
+move=> none.
+have twins h : half_edge t h -> twin_ok t h by case/half_edges/and5P.
+have nexts h : half_edge t h -> next t h >>= prev t = Some h by case/half_edges/and5P=> _ /andP[/same_linkP].
+have targets h : half_edge t h -> next t h >>= origin t = twin t h >>= origin t by case/half_edges/and5P=> _ _ /same_linkP.
+have same h : half_edge t h -> next t h >>= boundary_of t = boundary_of t h by case/half_edges/and5P=> _ _ _ _ /andP[/andP[/same_linkP]].
+have [_ roots_live _ roots_cover] := roots_each.
+have sums : 2 * (rotation_count t + cycle_count t) = half_edge_count t + 4 * size component_roots.
+  by case/and5P: ok => _ _ _ _ /eqP; rewrite none muln0 addn0 /component_count numberE -size_filter.
+have [[v [g [E O R]]] [b [k [S B C]]]] := every_orbit twins nexts targets same surface_leaving surface_start roots_live roots_cover sums (dart_live x).
+have [lg _] := surface_leaving E; have [lk _] := surface_start S; have [[y yg] [z zk]] := (dartP lg, dartP lk).
+move: O B; rewrite (originE map) (boundaryE map) => -[vE] [bE]; split; [exists y|exists z].
+- by rewrite vE yg.
+- by rewrite fconnect_sym; [apply/(on_rotationE map); rewrite yg|exact: tn_inj].
+- by rewrite bE zk.
+by rewrite fconnect_sym; [apply/(on_cycleE map); rewrite zk|exact: nx_inj].
+Qed.
+
+(** Positions that grow until [y] lead to [y]. *)
+Lemma positions_lead (f : dart t -> dart t) (p : nat -> nat) x y : injective f ->
+  (forall k, let z := iter k f x in f z = y \/ p (num z) < p (num (f z))) -> fconnect f x y.
+Proof.
+move=> inj H; have grow k : fconnect f x y \/ p (num x) + k <= p (num (iter k f x)).
+  elim: k => [|k [|le]]; [by right; rewrite addn0|by left|].
+  case: (H k) => [<-|lt]; first by left; apply: (fconnect_iter f k.+1).
+  by right; rewrite addnS; apply: leq_ltn_trans le lt.
+case: (grow (fingraph.order f x)) => //; rewrite iter_order // => le.
+by have := fingraph.order_gt0 f x; move: le; rewrite -{2}[p (num x)]addn0 leq_add2l leqn0 => /eqP->.
+Qed.
+
+Lemma surface_kept (x : dart t) : exists2 y : dart t, leaving t (org x) = Some (num y) & fconnect (@tn t) x y.
+Proof.
+have [/(surface_orbits x)[]//|some] := eqVneq genus 0.
+have /and5P[_ _ _ + _] := half_edges (dart_live x); rewrite /origin_ok (originE map) /=.
+case E: (leaving t (org x)) => [h|] // _; have [/dartP[y yh] _] := surface_leaving E; exists y; first by rewrite yh.
+apply: (positions_lead (p := position) (tn_inj map)) => k /=; set z := iter k _ x.
+have oz : org z = org x by rewrite /z; elim: (k) => //= j IH; rewrite org_tn.
+have /and5P[_ _ _ _ /and5P[_ + _ _ _]] := half_edges (dart_live z).
+rewrite /turn_ok (negPf some) (turnE map) (originE map) /= oz E => /orP[/same_linkP[]|lt]; last by right.
+by rewrite -yh => /num_inj->; left.
+Qed.
+
+Lemma surface_started (x : dart t) : exists2 y : dart t, boundary_start t (bnd x) = Some (AtHalfEdge (num y)) & fconnect (@nx t) x y.
+Proof.
+have [/(surface_orbits x)[]//|some] := eqVneq genus 0.
+have /and5P[_ _ _ _ /and5P[/andP[_ +] _ _ _ _]] := half_edges (dart_live x); rewrite (boundaryE map) /= /cycle_start.
+case E: (boundary_start t (bnd x)) => [[h|]|] // _; have [/dartP[y yh] _] := surface_start E; exists y; first by rewrite yh.
+apply: (positions_lead (p := step) (nx_inj map)) => k /=; set z := iter k _ x.
+have bz : bnd z = bnd x by rewrite /z; elim: (k) => //= j IH; rewrite surface_cycle.
+have /and5P[_ _ _ _ /and5P[_ _ + _ _]] := half_edges (dart_live z).
+rewrite /step_ok (negPf some) (nextE map) (boundaryE map) /= bz /cycle_start E => /orP[/same_linkP[]|lt]; last by right.
+by rewrite -yh => /num_inj->; left.
+Qed.
+
+Lemma surface_v1 : v1_leaving t.
+Proof. by move=> v h _ /surface_leaving[]. Qed.
+
+Lemma surface_v2 : v2_rotation t.
+Proof.
+move=> g h /dartP[x <-] /dartP[y <-]; rewrite (on_rotationE map) !(originE map); split=> [/(org_orbit basic)-> //|[xy]].
+have [k kx xk] := surface_kept x; have [l ly yl] := surface_kept y; move: kx; rewrite xy ly => -[/num_inj kl].
+by apply: connect_trans xk _; rewrite -kl fconnect_sym //; apply: tn_inj.
+Qed.
+
+Lemma surface_b1 : b1_cycle t.
+Proof.
+split=> [h /dartP[x <-]|b h lb /dartP[x <-]]; first by rewrite (nextE map) /= !(boundaryE map) surface_cycle.
+rewrite (boundaryE map); split=> [[xb]|[g S]].
+  have [y S xy] := surface_started x; exists (num y); first by rewrite -xb.
+  by apply/(on_cycleE map); rewrite fconnect_sym //; apply: nx_inj.
+have [/dartP[y yg]] := surface_start S; rewrite -yg (boundaryE map) => -[yb] /(on_cycleE map)/(bnd_orbit basic) yx.
+by rewrite -yx yb.
 Qed.
 
 Lemma surface_rotations : lists_one_of_each (rotations t) (on_orbit (turn t)) (half_edge t).
@@ -305,4 +331,43 @@ Theorem surface_holes_sound t position step component rank border genus :
 Proof.
 move=> ok; exists (hole_starts t); split; first exact: surface_holes_each ok.
 by rewrite size_map size_filter /hole_count numberE.
+Qed.
+
+(** ** Fewer tests for spheres
+
+    Of genus 0, that the origin keeps a half-edge, that the boundary component starts with one, and that [next (prev h) = h] follow from the
+    other tests ([Fewer.v]). *)
+
+Definition few_sphere_half_edge_ok t component rank border h :=
+  [&& twin_ok t h, same_link (next t h >>= prev t) (Some h), target_ok t h,
+      same_link (next t h >>= boundary_of t) (boundary_of t h) & component_ok t component rank h && border_ok t border h].
+
+Definition few_spheres_accept t component rank border :=
+  [&& each_half_edge t (few_sphere_half_edge_ok t component rank border), each_vertex t (surface_vertex_ok t),
+      each_boundary t (surface_boundary_ok t), each_face t (surface_face_ok t)
+    & 2 * (rotation_count t + cycle_count t) == half_edge_count t + 4 * component_count t component].
+
+Theorem few_spheres t position step component rank border :
+  few_spheres_accept t component rank border -> surface_accepts t position step component rank border 0.
+Proof.
+case/and5P=> /each_half_edgeP H /each_vertexP V /each_boundaryP B F /eqP sums.
+have twins h : half_edge t h -> twin_ok t h by case/H/and5P.
+have nexts h : half_edge t h -> next t h >>= prev t = Some h by case/H/and5P=> _ /same_linkP.
+have targets h : half_edge t h -> next t h >>= origin t = twin t h >>= origin t by case/H/and5P=> _ _ /same_linkP.
+have same h : half_edge t h -> next t h >>= boundary_of t = boundary_of t h by case/H/and5P=> _ _ _ /same_linkP.
+have keeps v h : leaving t v = Some h -> half_edge t h /\ origin t h = Some v.
+  by move=> E; have := V v (heard_live E); rewrite /surface_vertex_ok E => /andP[lh /same_linkP].
+have starts b h : boundary_start t b = Some (AtHalfEdge h) -> half_edge t h /\ boundary_of t h = Some b.
+  by move=> E; have /andP[+ _] := B b (heard_live E); rewrite E => /andP[lh /same_linkP].
+have roots_live h : h \in component_roots t component -> half_edge t h by rewrite mem_filter => /andP[/andP[]].
+have roots_cover : forall h, half_edge t h -> exists2 g, g \in component_roots t component & reached (near t) g h.
+  apply: (roots_reach (rank := rank) twins nexts roots_live) => h lh; have /and5P[_ _ _ _ /andP[/and3P[_ _ C] _]] := H h lh.
+  case/or4P: C => [root|->|->|->]; rewrite ?orbT; [left|by right|by right|by right].
+  by rewrite mem_filter lh root mem_iota add0n half_edge_below.
+move: (sums); rewrite /component_count numberE -size_filter -/(component_roots t component) => roots_sums.
+apply/and5P; split; [|exact/each_vertexP|exact/each_boundaryP|exact: F|by rewrite muln0 addn0; apply/eqP].
+apply/each_half_edgeP=> h lh; have /and5P[tw _ ta _ /andP[co bo]] := H h lh.
+rewrite /surface_half_edge_ok tw ta co bo (prev_back nexts lh).
+rewrite (every_origin twins nexts targets same keeps starts roots_live roots_cover roots_sums lh).
+by rewrite (every_cycle twins nexts targets same keeps starts roots_live roots_cover roots_sums lh).
 Qed.

@@ -107,16 +107,16 @@ Proof. by have [E _] := first_aroundE x; have [] := first_aroundE (tn x); rewrit
 Lemma first_along_nx (x : dart t) : first_along (nx x) = first_along x.
 Proof. by have [E _] := first_alongE x; have [] := first_alongE (nx x); rewrite bnd_nx_same E => -[/num_inj]. Qed.
 
-Lemma complete_turn (x : dart t) : turn_ok t position_of (num x).
+Lemma complete_turn genus (x : dart t) : turn_ok t position_of genus (num x).
 Proof.
-rewrite /turn_ok (turnE map) (originE map) /=; have [-> yx] := first_aroundE x.
+apply/orP; right; rewrite (turnE map) (originE map) /=; have [-> yx] := first_aroundE x.
 rewrite /position_of !from_firstE first_around_tn /= (inj_eq (@num_inj _ _)).
 by case: (findex_grows (tn_inj map) yx) => [->|->]; rewrite ?eqxx ?orbT.
 Qed.
 
-Lemma complete_step (x : dart t) : step_ok t step_of (num x).
+Lemma complete_step genus (x : dart t) : step_ok t step_of genus (num x).
 Proof.
-rewrite /step_ok (nextE map) (boundaryE map) /= /cycle_start; have [-> yx] := first_alongE x.
+apply/orP; right; rewrite (nextE map) (boundaryE map) /= /cycle_start; have [-> yx] := first_alongE x.
 rewrite /step_of !from_firstE first_along_nx /= (inj_eq (@num_inj _ _)).
 by case: (findex_grows (nx_inj map) yx) => [->|->]; rewrite ?eqxx ?orbT.
 Qed.
@@ -179,7 +179,7 @@ Qed.
 
 (** *** The tests *)
 
-Lemma complete_half_edge (x : dart t) : surface_half_edge_ok t position_of step_of component_of rank border_of (num x).
+Lemma complete_half_edge genus (x : dart t) : surface_half_edge_ok t position_of step_of component_of rank border_of genus (num x).
 Proof.
 rewrite /surface_half_edge_ok complete_turn complete_step complete_component complete_border /twin_ok /next_ok /target_ok /origin_ok /cycle_ok.
 have [E _] := first_aroundE x; have [S _] := first_alongE x.

@@ -107,10 +107,10 @@ let each view kind slots live tests =
 
 let explain_surface surface =
   let folder = surface.surface_topology and view = surface_view_in surface in
-  let each kind = each view kind and border = borders_in surface and component = components_in surface in
+  let each kind = each view kind and border = borders_in surface and component = components_in surface and genus = surface_genus surface in
   each "half-edges" folder.half_edge_rows half_edge
     [ ("twin_ok", twin_ok view); ("next_ok", next_ok view); ("target_ok", target_ok view); ("origin_ok", origin_ok view);
-      ("cycle_ok", cycle_ok view); ("turn_ok", turn_ok view (turns_in surface)); ("step_ok", step_ok view (steps_in surface));
+      ("cycle_ok", cycle_ok view); ("turn_ok", turn_ok view (turns_in surface) genus); ("step_ok", step_ok view (steps_in surface) genus);
       ("component_ok", component_ok view component (rank_of folder)); ("border_ok", border_ok view border) ];
   each "vertices" folder.vertex_rows vertex [ ("surface_vertex_ok", surface_vertex_ok view) ];
   each "boundary components" folder.boundary_rows boundary [ ("surface_boundary_ok", surface_boundary_ok view) ];

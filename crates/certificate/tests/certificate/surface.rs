@@ -219,9 +219,10 @@ fn each_change_of_columns_that_balances_the_sums_fails_one_test() {
     let cases: [(&str, &Table, Change, Test); 4] = [
         (
             "a face is its own component, which makes one component and one handle too many",
-            &tetrahedron,
+            &one,
             |columns| {
-                let apart: Vec<usize> = (0..12).filter(|h| columns.column(Column::HalfEdgeBoundary)[*h] == 1).collect();
+                let boundary = columns.column(Column::HalfEdgeBoundary);
+                let apart: Vec<usize> = (0..boundary.len()).filter(|h| boundary[*h] == 1).collect();
                 for h in &apart {
                     columns.column_mut(Column::HalfEdgeComponent)[*h] = apart[0] as u32;
                 }
@@ -257,4 +258,39 @@ fn each_change_of_columns_that_balances_the_sums_fails_one_test() {
     for (name, mesh, change, test) in cases {
         assert_eq!(changed(mesh, change), [test], "{name}");
     }
+}
+
+/// Spheres whose vertices, or faces, are numbered alike have too few rotations, or cycles, for genus 0; and without other positions than 0 for any
+/// other genus.
+#[test]
+fn spheres_need_no_positions_and_what_is_no_sphere_does() {
+    let two: Vec<_> = (0..2).flat_map(|part| TETRAHEDRON.map(move |triangle| triangle.map(|v| v + 4 * part))).collect();
+    let certificate = SurfaceCertificate::new(&with_boundary_components(&textbook_mesh(8, &two))).unwrap();
+    let positions = |column: Column| certificate.columns().column(column);
+    assert!(
+        positions(Column::HalfEdgeTurn).iter().chain(positions(Column::HalfEdgeStep)).all(|position| *position == 0)
+    );
+    let counts = certificate.check().unwrap();
+    assert_eq!((counts.genus, counts.components), (0, 2));
+    let failing = |columns: Labels| {
+        let failures = SurfaceCertificate::from_columns(columns).unwrap().check().unwrap_err();
+        failures.iter().map(|failure| failure.test()).collect::<BTreeSet<_>>()
+    };
+    let joined = |from: u32, to: u32, of: Column| {
+        let mut columns = certificate.columns().clone();
+        for number in columns.column_mut(of).iter_mut().filter(|number| **number == from) {
+            *number = to;
+        }
+        columns
+    };
+    // A vertex of one is a vertex of the other: the sums fit no genus.
+    let mut pinched = joined(4, 0, Column::HalfEdgeOrigin);
+    pinched.column_mut(Column::VertexLeaving)[4] = u32::MAX;
+    assert_eq!(failing(pinched.clone()), BTreeSet::from([Test::GenusOk]));
+    // Once more, and they fit genus 1, for which positions are missing.
+    for origin in pinched.column_mut(Column::HalfEdgeOrigin).iter_mut().filter(|origin| **origin == 5) {
+        *origin = 1;
+    }
+    pinched.column_mut(Column::VertexLeaving)[5] = u32::MAX;
+    assert!(failing(pinched).contains(&Test::TurnOk));
 }

@@ -16,20 +16,31 @@ LEFT JOIN half_edges n ON n.half_edge = h.next_half_edge
 LEFT JOIN boundaries b ON b.boundary = h.boundary
 WHERE n.boundary IS DISTINCT FROM h.boundary OR b.start_half_edge IS NULL;
 
--- The next half-edge around the origin is the one that the origin keeps, or has a greater turn.
+-- What the certificate proves if no test fails: four times the genus, by Euler's formula, and counts.
+CREATE TEMPORARY VIEW surface_sums AS
+SELECT half_edges + 4 * roots - 2 * (rotations + cycles) AS four_genus, roots, holes FROM
+    (SELECT count(*) AS half_edges FROM half_edges) h,
+    (SELECT count(*) AS roots FROM half_edges WHERE component = half_edge) r,
+    (SELECT count(*) AS rotations FROM vertices WHERE leaving IS NOT NULL) v,
+    (SELECT count(*) AS cycles FROM boundaries WHERE start_half_edge IS NOT NULL) c,
+    (SELECT count(*) AS holes FROM boundaries WHERE face IS NULL) o;
+
+-- Unless the genus is 0, the next half-edge around the origin is the one that the origin keeps, or has a greater turn.
 CREATE TEMPORARY VIEW turn_ok AS
 SELECT h.half_edge AS record FROM half_edges h
 LEFT JOIN vertices v ON v.vertex = h.origin
 LEFT JOIN half_edges t ON t.half_edge = h.twin
 LEFT JOIN half_edges g ON g.half_edge = t.next_half_edge
-WHERE NOT (coalesce(t.next_half_edge = v.leaving, FALSE) OR coalesce(h.turn < g.turn, FALSE));
+WHERE (SELECT four_genus FROM surface_sums) >= 4
+    AND NOT (coalesce(t.next_half_edge = v.leaving, FALSE) OR coalesce(h.turn < g.turn, FALSE));
 
--- The next half-edge on the cycle is the one with which it starts, or has a greater step.
+-- Unless the genus is 0, the next half-edge on the cycle is the one with which it starts, or has a greater step.
 CREATE TEMPORARY VIEW step_ok AS
 SELECT h.half_edge AS record FROM half_edges h
 LEFT JOIN boundaries b ON b.boundary = h.boundary
 LEFT JOIN half_edges n ON n.half_edge = h.next_half_edge
-WHERE NOT (coalesce(h.next_half_edge = b.start_half_edge, FALSE) OR coalesce(h.step < n.step, FALSE));
+WHERE (SELECT four_genus FROM surface_sums) >= 4
+    AND NOT (coalesce(h.next_half_edge = b.start_half_edge, FALSE) OR coalesce(h.step < n.step, FALSE));
 
 -- Neighbours have one component, and one of them a lower rank, but for the root.
 CREATE TEMPORARY VIEW component_ok AS
@@ -65,15 +76,6 @@ WHERE h.boundary IS DISTINCT FROM b.boundary OR (b.face IS NOT NULL AND f.outer_
 CREATE TEMPORARY VIEW surface_face_ok AS
 SELECT f.face AS record FROM faces f LEFT JOIN boundaries b ON b.boundary = f.outer_boundary
 WHERE b.face IS DISTINCT FROM f.face;
-
--- What the certificate proves if no test fails. The sums are in Euler's proportion for four times the genus.
-CREATE TEMPORARY VIEW surface_sums AS
-SELECT half_edges + 4 * roots - 2 * (rotations + cycles) AS four_genus, roots, holes FROM
-    (SELECT count(*) AS half_edges FROM half_edges) h,
-    (SELECT count(*) AS roots FROM half_edges WHERE component = half_edge) r,
-    (SELECT count(*) AS rotations FROM vertices WHERE leaving IS NOT NULL) v,
-    (SELECT count(*) AS cycles FROM boundaries WHERE start_half_edge IS NOT NULL) c,
-    (SELECT count(*) AS holes FROM boundaries WHERE face IS NULL) o;
 
 CREATE TEMPORARY VIEW genus_ok AS
 SELECT four_genus AS record FROM surface_sums WHERE four_genus < 0 OR four_genus % 4 <> 0;
