@@ -128,9 +128,9 @@ def audit(spark: SparkSession, folder: Path, side: int) -> twinedge.Report:
         return tiles.audit_tiles(batches, grid, cuts=cuts, **LIMITS)
 
     def batch(row: Any) -> pa.RecordBatch:
-        return pa.RecordBatch.from_pylist([{"summary": bytes(row.summary), "cut": bytes(row.cut)}], tiles.schema())
+        return pa.RecordBatch.from_pylist([{"summary": bytes(row.summary)}], tiles.schema())
 
-    summaries = assigned.mapInArrow(judge, "summary binary, cut binary").rdd.map(batch)
+    summaries = assigned.mapInArrow(judge, "summary binary").rdd.map(batch)
     report = tiles.finish(summaries.treeReduce(tiles.merge), grid=grid, **LIMITS)
     assigned.unpersist()
     return report

@@ -106,9 +106,9 @@ def main() -> None:
             return tiles.audit_tiles(batches, grid, cuts=cuts, **LIMITS)
 
         def batch(row) -> pa.RecordBatch:
-            return pa.RecordBatch.from_pylist([{"summary": bytes(row.summary), "cut": bytes(row.cut)}], tiles.schema())
+            return pa.RecordBatch.from_pylist([{"summary": bytes(row.summary)}], tiles.schema())
 
-        summaries = assigned.mapInArrow(audit, "summary binary, cut binary")
+        summaries = assigned.mapInArrow(audit, "summary binary")
         report = tiles.finish(summaries.rdd.map(batch).treeReduce(tiles.merge), grid=grid, coverage=True, **LIMITS)
     finally:
         spark.stop()

@@ -50,7 +50,6 @@ fn _twinedge(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(tiles::search, module)?)?;
     module.add_function(wrap_pyfunction!(tiles::take, module)?)?;
     module.add_function(wrap_pyfunction!(tiles::summarise, module)?)?;
-    module.add_function(wrap_pyfunction!(tiles::tiles_in, module)?)?;
     module.add_function(wrap_pyfunction!(overlay::extents, module)?)?;
     module.add_function(wrap_pyfunction!(overlay::tiles_near, module)?)?;
     module.add_function(wrap_pyfunction!(overlay::overlay_tile, module)?)?;

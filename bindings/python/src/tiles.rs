@@ -7,19 +7,16 @@ use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyBytes;
-use twinedge_coverage::tile::{Cuts, Found, Grid, Summary, Tile, TileError};
+use twinedge_coverage::tile::{Cuts, Found, Grid, Portion, Source, Tile, TileError};
 use twinedge_geometry::Point;
 use twinedge_map::{BuildError, Feature, Shape};
-use twinedge_report::{audit_summary, merged, refuse_without_cuts};
+use twinedge_report::{audit_portion, merged, refuse_without_cuts};
 
 /// A grid: the corners of its box, and the numbers of columns and rows.
 pub(crate) type GridArguments = ([f64; 4], u32, u32);
 
 /// The positions of geometries, and the tile of each.
 pub(crate) type Assignment<'py> = (Bound<'py, PyArray1<u64>>, Bound<'py, PyArray1<u64>>);
-
-/// The sum of some summaries, and the sum of the summaries with edges cut.
-type Sums<'py> = (Option<Bound<'py, PyBytes>>, Option<Bound<'py, PyBytes>>);
 
 pub(crate) fn grid(([x0, y0, x1, y1], columns, rows): GridArguments) -> Result<Grid, Failure> {
     Grid::new([x0, y0], [x1, y1], columns, rows).map_err(Failure::value)
@@ -109,10 +106,14 @@ pub(crate) fn joined(one: [f64; 4], other: [f64; 4]) -> [f64; 4] {
     [one[0].min(other[0]), one[1].min(other[1]), one[2].max(other[2]), one[3].max(other[3])]
 }
 
-/// Returns no cuts yet, of a map whose coordinates are at most `largest`.
+fn source(text: Option<&str>) -> Source {
+    text.map(|text| ("source".to_owned(), text.to_owned())).into_iter().collect()
+}
+
+/// Returns no cuts yet, of a map of this source whose coordinates are at most `largest`.
 #[pyfunction]
-pub(crate) fn no_cuts(py: Python<'_>, largest: f64) -> PyResult<Bound<'_, PyBytes>> {
-    let cuts = Cuts::new(largest).map_err(Failure::value)?;
+pub(crate) fn no_cuts<'py>(py: Python<'py>, largest: f64, of: Option<&str>) -> PyResult<Bound<'py, PyBytes>> {
+    let cuts = Cuts::new(largest).map_err(Failure::value)?.of(source(of));
     Ok(PyBytes::new(py, &serde_json::to_vec(&cuts).map_err(Failure::value)?))
 }
 
@@ -161,9 +162,9 @@ pub(crate) fn take(py: Python<'_>, cut: PyBackedBytes, found: Vec<PyBackedBytes>
     Ok(PyBytes::new(py, &bytes?))
 }
 
-/// Returns the summary of a tile, from the features that meet it, each with its number in the map; and with edges cut,
-/// if all cuts are known.
+/// Returns the summary of a tile, from the features that meet it, each with its number in the map; the source is that of the cuts, if there are some.
 #[pyfunction]
+#[allow(clippy::too_many_arguments, reason = "they are those of Python")]
 pub(crate) fn summarise<'py>(
     py: Python<'py>,
     of: GridArguments,
@@ -172,85 +173,68 @@ pub(crate) fn summarise<'py>(
     geometries: Vec<Column<'_>>,
     asked: &str,
     cut: Option<PyBackedBytes>,
-) -> PyResult<(Bound<'py, PyBytes>, Option<Bound<'py, PyBytes>>)> {
+    of_source: Option<&str>,
+) -> PyResult<Bound<'py, PyBytes>> {
     let numbers = numbers.as_array().to_vec();
     let columns = given(geometries)?;
     let bytes = py.detach(|| {
         let grid = grid(of)?;
         let limits = options(asked, None)?.coverage.limits.limits();
         let (features, tile) = (features(columns)?, tile(&grid, at)?);
-        let given = || numbers.iter().copied().zip(&features);
-        let bytes = |summary: Result<Summary, TileError>| {
-            serde_json::to_vec(&summary.map_err(refused)?).map_err(Failure::value)
-        };
+        let given = numbers.iter().copied().zip(&features);
         let cuts = cut.map(|bytes| cuts(&bytes)).transpose()?;
         if cuts.as_ref().is_some_and(|cuts| !cuts.is_complete()) {
             return Err(Failure::Value("cuts: not all of them are found yet".to_owned()));
         }
-        let summary = bytes(Summary::new(&grid, tile, given(), &limits))?;
-        let cut = match cuts {
-            // Without cuts, the map with its edges cut is the map itself.
-            Some(cuts) if cuts.is_empty() => Some(summary.clone()),
-            Some(cuts) => Some(bytes(Summary::cut(&grid, tile, given(), &limits, &cuts))?),
-            None => None,
-        };
-        Ok((summary, cut))
+        let portion = Portion::new(&grid, tile, given, &limits, cuts.as_ref()).map_err(refused)?;
+        Ok(if cuts.is_some() { portion } else { portion.of(source(of_source)) }.to_bytes())
     });
-    let (summary, cut) = bytes?;
-    Ok((PyBytes::new(py, &summary), cut.map(|cut| PyBytes::new(py, &cut))))
+    Ok(PyBytes::new(py, &bytes?))
 }
 
-fn sum(summaries: &[PyBackedBytes]) -> Result<Option<Summary>, Failure> {
+/// Returns the sum of some summaries; `None` if there are none.
+fn sum(summaries: &[PyBackedBytes]) -> Result<Option<Portion>, Failure> {
     let read = |(place, bytes): (usize, &PyBackedBytes)| {
-        serde_json::from_slice(bytes).map_err(|error| Failure::Value(format!("summary {place}: {error}")))
+        Portion::from_bytes(bytes).map_err(|error| Failure::Value(format!("summary {place}: {error}")))
     };
-    let all: Vec<Summary> = summaries.iter().enumerate().map(read).collect::<Result<_, _>>()?;
-    Ok(merged(all)?)
+    let all: Vec<Portion> = summaries.iter().enumerate().map(read).collect::<Result<_, _>>()?;
+    let sum = merged(all)?;
+    sum.as_ref().map_or(Ok(()), refuse_without_cuts)?;
+    Ok(sum)
 }
 
-/// Returns the sum of some summaries, and the sum of the summaries with edges cut; either all have these, or none.
-fn sums(summaries: &[PyBackedBytes], cuts: &[PyBackedBytes]) -> Result<(Option<Summary>, Option<Summary>), Failure> {
-    let (whole, cut) = (sum(summaries)?, sum(cuts)?);
-    if let (Some(whole), Some(cut)) = (&whole, &cut) {
-        refuse_without_cuts(whole, cut)?;
-    }
-    Ok((whole, cut))
-}
-
-/// Merges several summaries, and several with edges cut; `None` if there are none.
+/// Merges several summaries; `None` if there are none.
 #[pyfunction]
-pub(crate) fn merge(py: Python<'_>, summaries: Vec<PyBackedBytes>, cuts: Vec<PyBackedBytes>) -> PyResult<Sums<'_>> {
-    let bytes = py.detach(|| {
-        let (whole, cut) = sums(&summaries, &cuts)?;
-        let bytes = |sum: Option<Summary>| sum.map(|sum| serde_json::to_vec(&sum).map_err(Failure::value)).transpose();
-        Ok::<_, Failure>((bytes(whole)?, bytes(cut)?))
-    });
-    let (whole, cut) = bytes?;
-    Ok((whole.map(|bytes| PyBytes::new(py, &bytes)), cut.map(|bytes| PyBytes::new(py, &bytes))))
+pub(crate) fn merge(py: Python<'_>, summaries: Vec<PyBackedBytes>) -> PyResult<Option<Bound<'_, PyBytes>>> {
+    let bytes = py.detach(|| Ok::<_, Failure>(sum(&summaries)?.map(|sum| sum.to_bytes())));
+    Ok(bytes?.map(|bytes| PyBytes::new(py, &bytes)))
 }
 
-/// Returns the tiles of a summary.
-#[pyfunction]
-pub(crate) fn tiles_in(summary: &[u8]) -> PyResult<Vec<u64>> {
-    let summary: Summary = serde_json::from_slice(summary).map_err(Failure::value)?;
-    let grid = summary.grid();
-    Ok(summary.tiles().iter().map(|tile| number(grid, *tile)).collect())
-}
-
-/// Returns the report from the summaries of all tiles, and from the summaries with edges cut, if any.
+/// Returns the report from the summaries of all tiles. With a grid, the tiles that are missing are those of nothing.
 #[pyfunction]
 pub(crate) fn finish(
     py: Python<'_>,
     summaries: Vec<PyBackedBytes>,
-    cuts: Vec<PyBackedBytes>,
+    of: Option<GridArguments>,
     asked: &str,
     accept: Option<&str>,
 ) -> PyResult<Told> {
     let found = py.detach(|| {
-        let (whole, cut) = sums(&summaries, &cuts)?;
-        let whole = whole.ok_or_else(|| Failure::Value("there is no summary".to_owned()))?;
         let options = options(asked, accept)?;
-        told(&audit_summary(whole, cut, None, &options)?, options.accepted.as_ref())
+        let mut all = sum(&summaries)?;
+        if let Some(grid) = of.map(grid).transpose()? {
+            let limits = options.coverage.limits.limits();
+            let known = all.as_ref().map(|all| all.summary().tiles().to_vec()).unwrap_or_default();
+            let (is_cut, source) =
+                all.as_ref().map(|all| (all.cut().is_some(), all.source().clone())).unwrap_or_default();
+            let nothing =
+                |tile| Ok(Portion::of_nothing(&grid, tile, &limits, is_cut).map_err(refused)?.of(source.clone()));
+            let missing = grid.tiles().filter(|tile| known.binary_search(tile).is_err());
+            let missing = missing.map(nothing).collect::<Result<Vec<_>, Failure>>()?;
+            all = merged(all.into_iter().chain(missing).collect())?;
+        }
+        let all = all.ok_or_else(|| Failure::Value("there is no summary".to_owned()))?;
+        told(&audit_portion(all, None, &options)?, options.accepted.as_ref())
     });
     Ok(found?)
 }

@@ -141,9 +141,9 @@ def test_what_is_missing_or_twice_is_named(features):
         tiles.finish(parts[:4], parts[5:])
     with pytest.raises(ValueError, match="both summaries have tile 0,0"):
         tiles.merge(parts, parts[0])
-    with pytest.raises(ValueError, match="different grids"):
+    with pytest.raises(ValueError, match="the grid is 3x2 for the first and 2x2 for the second"):
         tiles.merge(parts[0], tiles.audit_tile(features, tiles.Grid((0, 0, 1, 1), 2, 2), 1, **LIMITS))
-    with pytest.raises(ValueError, match="different limits"):
+    with pytest.raises(ValueError, match="gap_width is 0.6 for the first and none for the second"):
         tiles.merge(parts[0], tiles.audit_tile(features, GRID, 1))
     with pytest.raises(ValueError, match="there is no summary"):
         tiles.finish()
@@ -210,7 +210,7 @@ def test_edges_that_meet_elsewhere_than_at_vertices_are_cut_alike_in_all_tiles(n
     assert whole.verdict == "invalid" and {finding.rule for finding in whole.findings} >= rules
     cuts, parts = rounds(features, grid)
     summaries = [tiles.audit_tile(part, grid, tile, cuts=cuts) for tile, part in parts.items()]
-    assert all(one.schema == tiles.schema() and one["cut"].null_count == 0 for one in summaries)
+    assert all(one.schema == tiles.schema() and one["summary"].null_count == 0 for one in summaries)
     merged = tiles.merge(summaries[3:], tiles.merge(*summaries[:3]))
     some = [*tiles.audit_tiles(tiles.assign(features, grid, cuts), grid, cuts=cuts)]
     for report in (tiles.finish(merged, coverage=True), tiles.finish(some, grid=grid, coverage=True)):
@@ -291,6 +291,43 @@ def test_more_cuts_than_can_be_judged_are_said_to_be():
     cuts = tiles.Cuts((0, 0, 801, 801))
     with pytest.raises(ValueError, match="the coverage cannot be judged in tiles"):
         cuts.search(tiles.table(lines), tiles.Grid((0, 0, 801, 801), 1, 1), 0)
+
+
+def test_tiles_of_two_states_of_a_layer_are_not_put_together(features):
+    # Two squares alike on the left, or on the right: tile 0 of one layer and tile 1 of the other would add up to a valid one.
+    grid, left, right = tiles.Grid((0, 0, 2, 1), 2, 1), *(tiles.table([shapely.box(x, 0, x + 1, 1) for x in at]) for at in ((0, 0, 1), (0, 1, 1)))
+    layers = (shapely.from_wkb(layer["geometry"].to_pylist()) for layer in (left, right))
+    assert {twinedge.audit(layer, coverage=True).verdict for layer in layers} == {"invalid"}
+    parts = tiles.audit_tile(left, grid, 1, source="snapshot 7"), tiles.audit_tile(right, grid, 0, source="snapshot 8")
+    for add in (tiles.merge, tiles.finish):
+        with pytest.raises(ValueError, match="source is snapshot 7 for the first and snapshot 8 for the second"):
+            add(*parts)
+    # Made again of the same state, a tile has the same bytes.
+    assert tiles.audit_tile(left, grid, 1, source="snapshot 7") == parts[0]
+    seven, eight = (tiles.Cuts((0, 0, 2, 1), source=f"snapshot {number}") for number in (7, 8))
+    with pytest.raises(ValueError, match="those of another map"):
+        seven.take(seven.search(left, grid, 0), eight.search(right, grid, 1))
+    with pytest.raises(ValueError, match="the cuts are those of 'snapshot 7', not of 'snapshot 8'"):
+        tiles.audit_tile(left, grid, 0, cuts=seven, source="snapshot 8")
+
+
+def test_a_damaged_summary_is_noticed_wherever_it_is_changed():
+    grid = tiles.Grid((0, 0, 2, 1), 2, 1)
+    (whole,) = tiles.audit_tile(tiles.table([shapely.box(0, 0, 1.5, 1)]), grid, 0)["summary"].to_pylist()
+    for place in range(len(whole)):
+        damaged = bytearray(whole)
+        damaged[place] ^= 1 << place % 8
+        with pytest.raises(ValueError, match="summary 0: this"):
+            tiles.merge(pa.table({"summary": [bytes(damaged)]}))
+
+
+def test_edges_that_meet_within_one_cell_are_judged_as_in_the_whole():
+    ulp = 2.0**-52
+    layer = [shapely.box(0, 0, 1, 1), shapely.box(1, ulp, 2, 1 + ulp)]
+    whole, grid = twinedge.audit(layer, coverage=True), tiles.Grid((0, 0, 2, 1), 2, 1)
+    cuts, parts = rounds(tiles.table(layer), grid)
+    report = tiles.finish([tiles.audit_tile(part, grid, tile, cuts=cuts) for tile, part in parts.items()], coverage=True)
+    assert told(report) == told(whole) and [finding.rule for finding in report.findings] == ["C7"]
 
 
 def ragged(geometries, width=2):

@@ -4,14 +4,14 @@ use crate::output::{Failure, named};
 use crate::progress::busy;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::ffi::OsString;
-use std::fs::File;
+use std::fs::{File, Metadata};
 use std::io::{self, BufReader, IsTerminal as _, Read as _};
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::sync_channel;
-use std::time::Duration;
+use std::time::{Duration, SystemTime};
 use twinedge_layers::io::ForeignFormat;
 use twinedge_layers::{Format, Layer, ReadError, read_layer, unpack};
-use twinedge_report::{Imported, Input, Judged, Keep, MapOptions};
+use twinedge_report::{Counted, Counter, Imported, Input, Judged, Keep, MapOptions};
 
 /// The built-in map of the world; see `data/README.md`.
 const EMBEDDED: &[u8] = include_bytes!("../data/world-110m.geojson");
@@ -108,6 +108,25 @@ pub(crate) struct MapFile {
     pub(crate) options: MapOptions,
 }
 
+type State = (u64, Option<SystemTime>);
+
+/// What identifies the bytes of an input that is read.
+pub(crate) struct Watch {
+    before: Option<State>,
+    counter: Option<Counter>,
+}
+
+impl Watch {
+    /// Returns the number and SHA-256 of the bytes, once they are read, and whether the file is the same as before.
+    pub(crate) fn judged(self, map: &MapFile) -> Result<(Option<Judged>, bool), Failure> {
+        let judged = match self.counter {
+            Some(counter) => Some(counter.judged()),
+            None => map.judged()?,
+        };
+        Ok((judged, map.state() == self.before))
+    }
+}
+
 pub(crate) struct WithText {
     pub(crate) name: String,
     pub(crate) layer: Layer,
@@ -185,10 +204,6 @@ impl MapFile {
         self.file.as_deref().filter(|path| *path != Path::new("-"))
     }
 
-    pub(crate) fn is_stdin(&self) -> bool {
-        self.file.as_deref() == Some(Path::new("-"))
-    }
-
     /// Returns the number and SHA-256 of the bytes of the file or of the built-in map; `None` for an input that can only be read once.
     ///
     /// This reads the file again: some formats are read by path and not sequentially, and others may leave bytes after the last record unread.
@@ -204,6 +219,26 @@ impl MapFile {
 
     pub(crate) fn layer(&self) -> Option<&str> {
         self.layer.as_deref()
+    }
+
+    /// Opens the input to read it once, and watches its bytes.
+    pub(crate) fn open_watched(&self) -> Result<(Input, Watch), Failure> {
+        let before = self.state();
+        let mut input = self.open()?;
+        let mut counter = None;
+        // What was unpacked is another file, with a path.
+        if self.file.is_some() && !self.path().is_some_and(Path::is_file) && input.kept.is_none() {
+            let (reader, counted) = Counted::new(input.reader);
+            input.reader = Box::new(reader);
+            counter = Some(counted);
+        }
+        Ok((input, Watch { before, counter }))
+    }
+
+    /// Returns the length of the file and the time of its last change.
+    fn state(&self) -> Option<State> {
+        let metadata = std::fs::metadata(self.path()?).ok().filter(Metadata::is_file)?;
+        Some((metadata.len(), metadata.modified().ok()))
     }
 
     pub(crate) fn open(&self) -> Result<Input, Failure> {

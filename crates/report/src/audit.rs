@@ -18,7 +18,7 @@ use crate::tiles::Division;
 use crate::verdict::{Judged, Verdict};
 use crate::words::{counted, json, plain};
 use crate::{findings_geojson, junit, map, mesh, page, sarif, sphere, tables, text, textbook_audit, tiles, topology};
-use twinedge_coverage::tile::Summary;
+use twinedge_coverage::tile::Portion;
 use twinedge_diagnosis::{Diagnosis, RuleLine};
 use twinedge_layers::topojson::ArcTopology;
 use twinedge_layers::{Crs, Layer};
@@ -212,21 +212,16 @@ pub fn audit_mesh(name: &str, mesh: IndexedMesh, options: &Options) -> Result<Au
     Ok(Audited(Outcome::Report(Box::new(report), Subject::Mesh(mesh))))
 }
 
-/// Reports the merged summary of all tiles of a map as an audit. Where edges meet away from vertices, the findings come from the summary of the same
-/// tiles with their edges cut. Features are known by their numbers. If tiles are missing from that summary, or were missing when edges were cut, the
-/// report names them and says nothing about coverage.
+/// Reports the audit of all tiles of a map. Where edges meet away from vertices, the findings come from the tiles with their edges cut. Features
+/// are known by their numbers. If tiles were made without cuts, or were missing when edges were cut, the report names them and says nothing
+/// about coverage.
 ///
 /// `crs` is the map's coordinate reference system, unless it is longitude and latitude on WGS 84.
 ///
 /// # Errors
 /// [`Error::Missing`] and [`Error::Tiles`]; [`Error::NoEdges`], unless a map may be empty.
-pub fn audit_summary(
-    summary: Summary,
-    cut: Option<Summary>,
-    crs: Option<Crs>,
-    options: &Options,
-) -> Result<Audited, Error> {
-    let mut report = tiles::audit_summary(summary, cut, crs, options)?.unexplained();
+pub fn audit_portion(portion: Portion, crs: Option<Crs>, options: &Options) -> Result<Audited, Error> {
+    let mut report = tiles::audit_portion(portion, crs, options)?.unexplained();
     report.identify();
     report.settle(options.accepted.as_ref());
     Ok(Audited(Outcome::Report(Box::new(report), Subject::Tiles)))

@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::words::{NAMED, of_tiles};
-use twinedge_coverage::tile::{Crossing, CrossingKind, Grid, Outcome, Summary, Tile};
+use twinedge_coverage::tile::{Crossing, CrossingKind, Grid, Outcome, Portion, Summary, Tile};
 use twinedge_geometry::Point;
 
 /// Refuses a summary that does not cover all tiles. O(tiles of the summary).
@@ -14,17 +14,12 @@ pub(crate) fn refuse_missing(summary: &Summary) -> Result<(), Error> {
     if missing.is_empty() { Ok(()) } else { Err(Error::Missing { tiles: missing, count }) }
 }
 
-/// Returns the tiles of `whole` that `cut`, the summary of the same tiles with their edges cut, does not have.
-pub(crate) fn without_cuts(whole: &Summary, cut: &Summary) -> Vec<Tile> {
-    whole.tiles().iter().copied().filter(|tile| cut.tiles().binary_search(tile).is_err()).collect()
-}
-
-/// Refuses summaries if some tiles have their edges cut and others do not.
+/// Refuses a portion if some of its tiles have their edges cut and others do not.
 ///
 /// # Errors
 /// [`Error::WithoutCuts`].
-pub fn refuse_without_cuts(whole: &Summary, cut: &Summary) -> Result<(), Error> {
-    let tiles = without_cuts(whole, cut);
+pub fn refuse_without_cuts(portion: &Portion) -> Result<(), Error> {
+    let tiles = portion.without_cuts();
     if tiles.is_empty() { Ok(()) } else { Err(Error::WithoutCuts { tiles }) }
 }
 

@@ -76,7 +76,7 @@ pub mod voronoi;
 pub mod words;
 
 pub use accepted::{Accepted, AcceptedError, AcceptedFinding};
-pub use audit::{Audited, OfReader, audit, audit_against, audit_in_tiles, audit_layer, audit_mesh, audit_summary};
+pub use audit::{Audited, OfReader, audit, audit_against, audit_in_tiles, audit_layer, audit_mesh, audit_portion};
 pub use borders::{Border, borders};
 pub use coverage::{Coverage, Row, row};
 pub use diff::{Compared, Difference, DifferenceError};

@@ -3,7 +3,7 @@
 use crate::coverage::Coverage;
 use crate::error::Error;
 use crate::imported::{Imported, names};
-use crate::left_out::{reason, refuse_missing, without_cuts};
+use crate::left_out::{reason, refuse_missing};
 use crate::map::following;
 use crate::map_json::extra;
 use crate::map_notes::notes;
@@ -19,7 +19,7 @@ use crate::words::made_without;
 use serde_json::{Map, Value, json, to_value};
 use twinedge::validate::{Rule, Violation};
 use twinedge_coverage::tile::{
-    AuditError, Crossing, CrossingKind, Cuts, Grid, GridError, Outcome, SeamFault, SeamRule, Summary, Tile, Uneven,
+    AuditError, Crossing, CrossingKind, Cuts, Grid, GridError, Outcome, Portion, SeamFault, SeamRule, Tile, Uneven,
 };
 use twinedge_coverage::{CoverageRule, Defect, Limits, tile};
 use twinedge_diagnosis::{Diagnosis, Figures, Kind, Records, RuleLine, middle};
@@ -138,16 +138,12 @@ fn vertices(shape: &Shape) -> usize {
     }
 }
 
-/// Reports the merged summary of all tiles, using the summary of the same tiles with their edges cut, if given. Features are known by their numbers.
-pub(crate) fn audit_summary(
-    summary: Summary,
-    cut: Option<Summary>,
-    crs: Option<Crs>,
-    asked: &Options,
-) -> Result<AuditReport, Error> {
-    let grid = *summary.grid();
-    refuse_missing(&summary)?;
-    let without = cut.as_ref().map(|cut| without_cuts(&summary, cut)).unwrap_or_default();
+/// Reports the audit of all tiles. Features are known by their numbers.
+pub(crate) fn audit_portion(portion: Portion, crs: Option<Crs>, asked: &Options) -> Result<AuditReport, Error> {
+    let grid = *portion.summary().grid();
+    refuse_missing(portion.summary())?;
+    let without = portion.without_cuts();
+    let (summary, cut) = portion.into_summaries();
     let outcome = summary.finish().map_err(AuditError::from)?;
     let (outcome, left_out) = match cut.filter(|_| without.is_empty()) {
         Some(cut) => {
@@ -229,13 +225,13 @@ pub fn grid_of(corners: Option<[Point; 2]>, [columns, rows]: [u32; 2]) -> Result
     Ok(Grid::new([left, bottom], [right, top], columns, rows)?)
 }
 
-/// Merges summaries, neighbours first; `None` if there are none.
+/// Merges portions, neighbours first; `None` if there are none.
 ///
 /// # Errors
 /// [`Error::Tiles`].
-pub fn merged(mut summaries: Vec<Summary>) -> Result<Option<Summary>, Error> {
-    while summaries.len() > 1 {
-        let mut rest = summaries.into_iter();
+pub fn merged(mut portions: Vec<Portion>) -> Result<Option<Portion>, Error> {
+    while portions.len() > 1 {
+        let mut rest = portions.into_iter();
         let mut pairs = Vec::new();
         while let Some(one) = rest.next() {
             pairs.push(match rest.next() {
@@ -243,9 +239,9 @@ pub fn merged(mut summaries: Vec<Summary>) -> Result<Option<Summary>, Error> {
                 None => one,
             });
         }
-        summaries = pairs;
+        portions = pairs;
     }
-    Ok(summaries.pop())
+    Ok(portions.pop())
 }
 
 /// Creates the report, without facts about the input. `left_out` explains which tiles were left out when edges were cut.

@@ -28,8 +28,9 @@ layer: an integer from 0 to 4,294,967,295 that no two have in common. Whatever h
 GeoParquet read by pyarrow. GeoArrow is known by its extension type, or by that name in the metadata of the field: ``geoarrow.wkb``, and
 ``geoarrow.point`` to ``geoarrow.multipolygon`` with coordinates apart or interleaved, which are read where they are. This module needs pyarrow.
 
-All tiles must be made with one grid, the same limits and the same cuts. A tile that is made again of the same features has the same bytes, so a
-worker that is lost loses nothing.
+All tiles must be made with one grid, the same limits and the same cuts, and of one state of the layer. A tile that is made again of the same features
+has the same bytes, so a worker that is lost loses nothing. Name the state in ``source``, such as the id of a snapshot and the filter: then tiles that
+are made again after the layer was replaced are refused, where others would add up to the audit of no layer at all.
 """
 
 from __future__ import annotations
@@ -107,12 +108,14 @@ class Cuts:
     box: tuple[float, float, float, float]
     #: The cuts. Equal ones have the same bytes.
     state: bytes = field(default=b"", repr=False)
+    #: What the layer is: the id of a snapshot, a filter, the hash of a file. Cuts and tiles of different sources are not put together.
+    source: str | None = None
 
     def __post_init__(self) -> None:
         box = _box(self.box)
         object.__setattr__(self, "box", box)
         if not self.state:
-            object.__setattr__(self, "state", _twinedge.no_cuts(float(np.abs(box).max())))
+            object.__setattr__(self, "state", _twinedge.no_cuts(float(np.abs(box).max()), self.source))
 
     def tiles(self, grid: Grid) -> list[int]:
         """The tiles that have something to find in this round: none, if all cuts are found. O(tiles · pieces that the last round made)."""
@@ -147,7 +150,7 @@ class Cuts:
         found = _binary(batches, "found")
         if not found:
             raise ValueError("found: there is nothing that a tile found in this round")
-        return Cuts(self.box, _twinedge.take(self.state, found))
+        return Cuts(self.box, _twinedge.take(self.state, found), self.source)
 
 
 @dataclass(frozen=True)
@@ -250,10 +253,10 @@ def table(layer: Any) -> pa.Table:
 
 
 def schema() -> pa.Schema:
-    """The columns of summaries, which are binary: ``summary``, and ``cut``, that of the same tile with its edges cut, null without :class:`Cuts`."""
+    """The column of summaries, ``summary``, which is binary, with a checksum."""
     import pyarrow as pa
 
-    return pa.schema([("summary", pa.binary()), ("cut", pa.binary())])
+    return pa.schema([("summary", pa.binary())])
 
 
 def bounds(batches: Any, *, geometry: str = "geometry") -> tuple[float, float, float, float]:
@@ -310,6 +313,7 @@ def audit_tile(
     tile: int,
     *,
     cuts: Cuts | None = None,
+    source: str | None = None,
     gap_width: float | None = None,
     lake_width: float | None = None,
     accept_gaps: Iterable[Sequence[float]] | None = None,
@@ -317,7 +321,7 @@ def audit_tile(
     geometry: str = "geometry",
     feature: str = "feature",
 ) -> pa.RecordBatch:
-    """The summary of one tile: a batch with one row, in the columns of :func:`schema`. With cuts it has both.
+    """The summary of one tile: a batch with one row, in the column of :func:`schema`. ``source`` is that of the cuts, if there are some.
 
     ``batches`` must have every feature that meets the tile, as :func:`assign` says, each once and whole; others may be there, too. So a
     tile to which nothing was assigned is made of no batches, and must be made all the same. The limits are those of
@@ -328,7 +332,8 @@ def audit_tile(
     TypeError
         Features have no numbers, or none of 32 bits.
     ValueError
-        Two features have the same number; a geometry is malformed or not finite; the grid has no such tile; not all cuts are found yet.
+        Two features have the same number; a geometry is malformed or not finite; the grid has no such tile; not all cuts are found yet, or they have
+        another source.
     """
     import pyarrow as pa
 
@@ -337,9 +342,11 @@ def audit_tile(
     geometries = [column for _, column in given]
     limits = _options(None, **_limits(gap_width, lake_width, accept_gaps, sliver_area))
     place = _count("tile", tile, 2**32)
+    if cuts is not None and source not in (None, cuts.source):
+        raise ValueError(f"source: the cuts are those of {cuts.source!r}, not of {source!r}")
     state = None if cuts is None else cuts.state
-    summary, cut = _twinedge.summarise(grid._native(), place, numbers, geometries, limits, state)
-    return pa.RecordBatch.from_pylist([{"summary": summary, "cut": cut}], schema())
+    summary = _twinedge.summarise(grid._native(), place, numbers, geometries, limits, state, source)
+    return pa.RecordBatch.from_pylist([{"summary": summary}], schema())
 
 
 def audit_tiles(batches: Any, grid: Grid, **options: Any) -> Iterator[pa.RecordBatch]:
@@ -351,17 +358,17 @@ def audit_tiles(batches: Any, grid: Grid, **options: Any) -> Iterator[pa.RecordB
 
 
 def merge(*batches: Any) -> pa.RecordBatch:
-    """One summary of all in these batches, in whatever order: a batch with one row, or with none if there is none. Both columns are merged.
+    """One summary of all in these batches, in whatever order: a batch with one row, or with none if there is none.
 
     Associative and commutative, down to the bytes. O(what the borders cut and the tiles found).
 
-    Raises ``ValueError`` if they are of different grids or limits, have a tile in common, or only some were made with cuts: tiles are named by column
-    and row.
+    Raises ``ValueError`` if they are of different sources, grids or limits, have a tile in common, or only some were made with cuts: tiles are named by
+    column and row.
     """
     import pyarrow as pa
 
-    summary, cut = _twinedge.merge(*_summaries(batches))
-    return pa.RecordBatch.from_pylist([] if summary is None else [{"summary": summary, "cut": cut}], schema())
+    summary = _twinedge.merge(_binary(batches, "summary"))
+    return pa.RecordBatch.from_pylist([] if summary is None else [{"summary": summary}], schema())
 
 
 def finish(
@@ -398,16 +405,9 @@ def finish(
     ValueError
         Tiles are missing, which are named by column and row, or as :func:`merge`.
     """
-    summaries, cuts = _summaries(batches)
-    if grid is not None:
-        have = {int(tile) for summary in summaries for tile in _twinedge.tiles_in(summary)}
-        empty = [audit_tile([], grid, tile, **limits) for tile in range(len(grid)) if tile not in have]
-        nothing, _ = _summaries(empty)
-        summaries += nothing
-        # In an empty tile there is nothing to cut.
-        cuts += nothing if cuts else []
     asked = _options(list, coverage=bool(coverage), **_limits(**limits), allow_empty=True)
-    return Report._told(_twinedge.finish(summaries, cuts, asked, _accepted(accept)), crs=crs)
+    whole = None if grid is None else grid._native()
+    return Report._told(_twinedge.finish(_binary(batches, "summary"), whole, asked, _accepted(accept)), crs=crs)
 
 
 def _box(given: Any) -> tuple[float, ...]:
@@ -425,9 +425,3 @@ def _extents_schema() -> pa.Schema:
 
 def _binary(batches: Iterable[Any], name: str) -> list[bytes]:
     return [one for given in batches for batch in _batches(given) for one in _wkb(batch, name) if one is not None]
-
-
-def _summaries(batches: Iterable[Any]) -> tuple[list[bytes], list[bytes]]:
-    """The summaries, and those with edges cut."""
-    given = [batch for one in batches for batch in _batches(one)]
-    return _binary(given, "summary"), _binary((batch for batch in given if "cut" in batch.schema.names), "cut")

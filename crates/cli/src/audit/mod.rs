@@ -15,7 +15,7 @@ use crate::output_file::write_file;
 use crate::progress::busy;
 use by_index::shelf_of;
 use destination::{ReportFormat, write};
-use std::fs::{File, Metadata};
+use std::fs::File;
 use std::io::BufReader;
 use std::path::Path;
 use std::time::Instant;
@@ -23,8 +23,8 @@ use timeout::Claim;
 use twinedge::validate::Collect;
 use twinedge_osm::{Boundaries, TagFilter};
 use twinedge_report::{
-    Accepted, Audited, Counted, Division, Input, InputKind, Judged, OfReader, Options, audit, audit_against,
-    audit_in_tiles, audit_layer,
+    Accepted, Audited, Division, Input, InputKind, Judged, OfReader, Options, audit, audit_against, audit_in_tiles,
+    audit_layer,
 };
 
 impl Audit {
@@ -35,8 +35,7 @@ impl Audit {
     /// Audits the input, and writes the report unless the time is up.
     fn judge(&self, claim: &Claim) -> Result<Verdict, Failure> {
         let start = Instant::now();
-        let before = self.map.path().and_then(changed);
-        let mut input = self.map.open()?;
+        let (mut input, watch) = self.map.open_watched()?;
         let name = input.name.clone();
         let kind = match &self.boundaries {
             Some(_) => InputKind::Map,
@@ -44,29 +43,20 @@ impl Audit {
         };
         let to = self.destination.destination(self.map.path())?;
         self.refuse_options(kind, &to, &input)?;
-        let mut counter = None;
-        if self.map.is_stdin() && input.path.is_none() {
-            let (reader, counted) = Counted::new(input.reader);
-            input.reader = Box::new(reader);
-            counter = Some(counted);
-        }
         let accepted = self.accept.as_deref().map(accepted).transpose()?;
         let options = self.options(accepted.clone());
         let mut audited = match &self.boundaries {
             Some(tags) => self.of_boundaries(tags, &name, &options)?,
             None => self.of_input(input, kind, &options)?,
         };
-        let judged: Option<Judged> = match counter {
-            Some(counter) => Some(counter.judged()),
-            None => self.map.judged()?,
-        };
+        let (judged, is_same) = watch.judged(&self.map)?;
         if let Some(judged) = judged {
             audited.judged(judged);
         }
         if let Some(path) = self.against.as_deref().filter(|path| path.is_file()) {
             audited.judged_by(Judged::of(BufReader::new(File::open(path)?))?);
         }
-        if self.map.path().and_then(changed) != before {
+        if !is_same {
             audited.doubt("the file changed while it was judged");
         }
         audited.took(start.elapsed().as_secs_f64() * 1000.0);
@@ -129,10 +119,4 @@ fn accepted(path: &Path) -> Result<Accepted, Failure> {
     let name = path.display().to_string();
     let text = std::fs::read_to_string(path).map_err(named(&name))?;
     Accepted::read(&text).map_err(named(&name))
-}
-
-/// Returns the length and the modification time of a file, which show whether it has changed.
-fn changed(path: &Path) -> Option<(u64, Option<std::time::SystemTime>)> {
-    let of = |metadata: Metadata| (metadata.len(), metadata.modified().ok());
-    std::fs::metadata(path).ok().filter(Metadata::is_file).map(of)
 }

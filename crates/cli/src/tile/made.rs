@@ -1,7 +1,7 @@
-//! Creates the summaries of a tile from the whole map or from the surroundings of the tile.
+//! Audits a tile, from the whole map or from the surroundings of the tile.
 
 use std::collections::BTreeMap;
-use twinedge_coverage::tile::{AuditError, Cuts, Grid, Summary, Tile, TileError};
+use twinedge_coverage::tile::{AuditError, Cuts, Grid, Portion, Tile, TileError};
 use twinedge_coverage::{Limits, insert_touches};
 use twinedge_geometry::Point;
 use twinedge_layers::io::ReadSummary;
@@ -9,7 +9,7 @@ use twinedge_layers::{Feature as LayerFeature, Indexed, ReadError, to_map};
 use twinedge_map::{BuildError, Feature};
 use twinedge_report::{Error, grid_of, no_cuts};
 
-/// The requested summary.
+/// The tile to audit.
 pub(super) struct Asked {
     pub(super) size: [u32; 2],
     /// The corners of the box that the grid divides, if not the map's box.
@@ -27,25 +27,16 @@ impl Asked {
     }
 }
 
-/// The summary of a tile, and the summary of the tile with its edges cut.
-pub(super) struct Made {
-    pub(super) summary: Summary,
-    pub(super) cut: Option<Summary>,
-}
-
-/// Creates the summaries from all features of a map, which lies between two corners.
-pub(super) fn of_whole(features: &[Feature], corners: Option<[Point; 2]>, asked: &Asked) -> Result<Made, Error> {
+/// Audits the tile from all features of a map, which lies between two corners.
+pub(super) fn of_whole(features: &[Feature], corners: Option<[Point; 2]>, asked: &Asked) -> Result<Portion, Error> {
     let numbered = (0..).zip(features);
     let grid = asked.grid(corners)?;
-    let summary = Summary::new(&grid, asked.place, numbered.clone(), &asked.limits).map_err(refused)?;
-    let cuts = complete(no_cuts(corners)?, &numbered)?.filter(|cuts| !cuts.is_empty());
-    let cut = cuts.map(|cuts| Summary::cut(&grid, asked.place, numbered, &asked.limits, &cuts));
-    Ok(Made { summary, cut: cut.transpose().map_err(refused)? })
+    let cuts = complete(no_cuts(corners)?, &numbered)?;
+    Portion::new(&grid, asked.place, numbered, &asked.limits, cuts.as_ref()).map_err(refused)
 }
 
-/// Creates the summaries from the features around the tile: the features that meet it, and then the features that meet their edges there and so cut
-/// them. The rest of the map may need cuts too, so edges always count as cut.
-pub(super) fn by_windows(file: &mut Indexed, asked: &Asked) -> Result<Made, Error> {
+/// Audits the tile from the features around it: the features that meet it, and then the features that meet their edges there and so cut them.
+pub(super) fn by_windows(file: &mut Indexed, asked: &Asked) -> Result<Portion, Error> {
     let corners = file.corners();
     let (grid, cuts) = (asked.grid(corners)?, no_cuts(corners)?);
     if !grid.has(asked.place) {
@@ -53,11 +44,9 @@ pub(super) fn by_windows(file: &mut Indexed, asked: &Asked) -> Result<Made, Erro
     }
     let mut features = BTreeMap::new();
     add(file, cuts.window(&grid, asked.place, []), &mut features)?;
-    let summary = Summary::new(&grid, asked.place, numbered(&features), &asked.limits).map_err(refused)?;
     add(file, cuts.window(&grid, asked.place, features.values()), &mut features)?;
     let cuts = complete(cuts, &numbered(&features))?;
-    let cut = cuts.map(|cuts| Summary::cut(&grid, asked.place, numbered(&features), &asked.limits, &cuts));
-    Ok(Made { summary, cut: cut.transpose().map_err(refused)? })
+    Portion::new(&grid, asked.place, numbered(&features), &asked.limits, cuts.as_ref()).map_err(refused)
 }
 
 fn numbered(features: &BTreeMap<u32, Feature>) -> impl Iterator<Item = (u32, &Feature)> + Clone {

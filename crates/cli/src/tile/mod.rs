@@ -8,15 +8,14 @@ pub(crate) use sum::Sum;
 use crate::input::MapFile;
 use crate::output::{Failure, Verdict, named};
 use crate::output_file::write_file;
-use made::{Asked, Made, by_windows, of_whole};
-use serde::{Deserialize, Serialize};
+use made::{Asked, by_windows, of_whole};
 use std::path::PathBuf;
-use twinedge_coverage::tile::{Summary, Tile as Place};
+use twinedge_coverage::tile::{Source, Tile as Place};
 use twinedge_geometry::Point;
 use twinedge_layers::io::ReadSummary;
 use twinedge_layers::{Amount, Crs, Format, Indexed};
 use twinedge_report::words::grouped;
-use twinedge_report::{Error, Imported, InMemory, Keep, LimitOptions, refuse_edges};
+use twinedge_report::{Error, Imported, InMemory, Judged, Keep, LimitOptions, refuse_edges};
 
 /// Make the summary of one tile of a map.
 ///
@@ -27,7 +26,8 @@ use twinedge_report::{Error, Imported, InMemory, Keep, LimitOptions, refuse_edge
 /// cut their edges. A box that is smaller than its feature is an error in each tile that it meets: if all tiles can be made, no feature was missed. Other files are read
 /// as a whole for each tile; `twinedge convert` writes both formats.
 ///
-/// All tiles must be made of the same file, with the same grid, box and limits.
+/// All tiles must be made of the same file, with the same grid, box and limits; `sum` refuses others. A summary has the SHA-256 of its file for that,
+/// which takes reading all of it; --source saves this.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   twinedge tile parcels.geojson --grid 2x1 --tile 0,0 -o 0-0.summary
@@ -58,6 +58,10 @@ pub(crate) struct Tile {
     #[command(flatten)]
     limits: LimitOptions,
 
+    /// What the file is, such as a version of the layer, in place of its SHA-256: summaries with different texts are not added up.
+    #[arg(long, value_name = "TEXT")]
+    source: Option<String>,
+
     /// Say on standard error how much of the file was read.
     #[arg(short, long)]
     verbose: bool,
@@ -67,30 +71,14 @@ pub(crate) struct Tile {
     output: PathBuf,
 }
 
-/// The file of a summary.
-#[derive(Serialize, Deserialize)]
-struct Saved {
-    command: String,
-    version: String,
-    /// The coordinate reference system, unless it is longitude and latitude on WGS 84.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    crs: Option<String>,
-    summary: Summary,
-    /// The summary of the tile with its edges cut; `None` if the map needs no cuts, or too many.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    cut: Option<Summary>,
-}
-
-impl Saved {
-    const COMMAND: &'static str = "tile";
-
-    /// Returns the file with these summaries. `crs` names a reference system other than longitude and latitude.
-    fn bytes(crs: Option<String>, summary: Summary, cut: Option<Summary>) -> Result<Vec<u8>, Failure> {
-        let (command, version) = (Self::COMMAND.to_owned(), env!("CARGO_PKG_VERSION").to_owned());
-        let mut bytes = serde_json::to_vec(&Self { command, version, crs, summary, cut })?;
-        bytes.push(b'\n');
-        Ok(bytes)
-    }
+/// The names of what a tile was made of.
+mod fact {
+    pub(super) const CRS: &str = "crs";
+    pub(super) const LAYER: &str = "layer";
+    pub(super) const SHA_256: &str = "sha256";
+    pub(super) const SIZE: &str = "size";
+    pub(super) const SOURCE: &str = "source";
+    pub(super) const VERSION: &str = "version";
 }
 
 fn grid_size(text: &str) -> Result<[u32; 2], String> {
@@ -117,7 +105,7 @@ fn corners(text: &str) -> Result<[Point; 2], String> {
 
 impl Tile {
     pub(crate) fn run(&self) -> Result<Verdict, Failure> {
-        let mut input = self.map.open()?;
+        let (mut input, watch) = self.map.open_watched()?;
         let name = input.name.clone();
         if self.map.options.snap.is_some() {
             return Err(Failure(format!("{name}: --snap is for whole maps: a tile takes edges as they are")));
@@ -133,7 +121,7 @@ impl Tile {
         let refuse = |edges: Option<&str>, crs: Option<&Crs>, corners| {
             refuse_edges(edges.filter(|_| may_say), crs, corners).map_err(named(&name))
         };
-        let (made, crs, amount) = if let Some(mut file) = indexed {
+        let (portion, crs, amount) = if let Some(mut file) = indexed {
             let header = file.header().map_err(named(&name))?;
             refuse(header.edges(), header.crs.as_ref(), file.corners())?;
             let may_be_empty = self.map.options.allow_empty;
@@ -149,16 +137,39 @@ impl Tile {
             let imported = Imported::features(input, &self.map.options, Keep::default(), &mut shelf);
             let Imported { edges, crs, noted, .. } = imported.map_err(named(&name))?;
             refuse(edges.as_deref(), crs.as_ref(), noted.corners())?;
-            let made = of_whole(shelf.features(), noted.corners(), &asked).map_err(named(&name))?;
-            (made, crs, None)
+            let portion = of_whole(shelf.features(), noted.corners(), &asked).map_err(named(&name))?;
+            (portion, crs, None)
         };
         if self.verbose {
             eprintln!("{name}: {}", told(amount));
         }
-        let Made { summary, cut } = made;
-        let crs = crs.filter(Crs::is_other).map(|crs| crs.name());
-        write_file(&self.output, self.map.path(), &Saved::bytes(crs, summary, cut)?)?;
+        let judged = match &self.source {
+            Some(_) => None,
+            None => {
+                let (judged, is_same) = watch.judged(&self.map)?;
+                if !is_same {
+                    return Err(Failure(format!("{name}: the file changed while it was read")));
+                }
+                judged
+            }
+        };
+        let portion = portion.of(self.facts(judged, crs.filter(Crs::is_other)));
+        write_file(&self.output, self.map.path(), &portion.to_bytes())?;
         Ok(Verdict::Sound)
+    }
+
+    /// Returns what the tile was made of.
+    fn facts(&self, judged: Option<Judged>, crs: Option<Crs>) -> Source {
+        let (sha256, bytes) = judged.map(|judged| (judged.sha256, judged.bytes.to_string())).unzip();
+        let facts = [
+            (fact::SOURCE, self.source.clone()),
+            (fact::SHA_256, sha256),
+            (fact::SIZE, bytes),
+            (fact::LAYER, self.map.layer().map(str::to_owned)),
+            (fact::CRS, crs.map(|crs| crs.name())),
+            (fact::VERSION, Some(env!("CARGO_PKG_VERSION").to_owned())),
+        ];
+        facts.into_iter().filter_map(|(name, value)| Some((name.to_owned(), value?))).collect()
     }
 }
 

@@ -3,6 +3,7 @@
 use crate::shared::{FAULTY, has};
 use crate::support::{Folder, crossing};
 use serde_json::{Value, json};
+use twinedge_coverage::tile::Portion;
 
 fn parcels() -> Folder {
     Folder::new(&[("parcels.wkt", FAULTY)])
@@ -26,6 +27,16 @@ pub(crate) fn counts_as(sum: &Value, whole: &Value) {
     {
         assert_eq!(sum["coverage"][count], whole["coverage"][count], "{count}");
     }
+}
+
+/// The summary in a file, as JSON.
+pub(crate) fn as_json(folder: &Folder, file: &str) -> Value {
+    serde_json::to_value(Portion::from_bytes(&folder.read(file)).unwrap()).unwrap()
+}
+
+/// Writes a summary that was changed as JSON.
+pub(crate) fn write_json(folder: &Folder, file: &str, json: Value) {
+    folder.write(file, serde_json::from_value::<Portion>(json).unwrap().to_bytes());
 }
 
 #[test]
@@ -76,8 +87,8 @@ fn sums_are_made_in_steps_and_name_what_is_missing() {
         "
 sum 0,1 2,1 0,0 2,0 1,1 => 2 1 tile is missing: (1,0)
 sum 2,0 1,1 => 2 4 tiles are missing: (0,0), (1,0), (0,1) and (2,1)
-sum parcels.wkt => 2 not a summary of a tile
-sum empty => 2 not a summary of a tile: EOF
+sum parcels.wkt => 2 this is not a summary of tiles
+sum empty => 2 this is not a summary of tiles
 sum 1,0 1,0 => 2 1,0: tile 1,0 is in 1,0, too
 sum first -o below/../first => 2 this is the input, and is not overwritten
 sum first --coverage -o x => 2 '--coverage' cannot be used with '--output
@@ -108,11 +119,17 @@ tile parcels.wkt --grid 1x1 --tile 0,0 -o x --box 0,3,4,3 => 2 the lower left co
 tile parcels.wkt --grid 1x1 --tile 0,0 -o first => 0
 tile parcels.wkt --grid 1x1 --tile 0,0 -o sliver --sliver 2 => 0
 tile parcels.wkt --grid 1x1 --tile 0,0 -o box --box 0,0,9,9 => 0
-sum first sliver => 2 sliver: sliver_area is 2.0, but null in first
-sum first box => 2 box: ++ is [ ++ in first
-tile degrees.wkt --grid 1x1 --tile 0,0 -o degrees => 0
-tile metres.geojson --grid 1x1 --tile 0,0 -o metres => 0
-sum degrees metres => 2 crs is \"EPSG:2056\", but null
+sum first sliver => 2 sliver: tile 0,0 is in first, too
+tile parcels.wkt --grid 2x1 --tile 0,0 -o first => 0
+tile parcels.wkt --grid 2x1 --tile 1,0 -o sliver --sliver 2 => 0
+tile parcels.wkt --grid 2x1 --tile 1,0 -o box --box 0,0,9,9 => 0
+tile parcels.wkt --grid 2x1 --tile 1,0 -o named --source 2026-11 => 0
+sum first sliver => 2 first and sliver: these are not tiles of one map: sliver_area is none for the first and 2 for the second
+sum first box => 2 these are not tiles of one map: the box is (
+sum first named => 2 first and named: these are not tiles of one map: sha256 is ++ for the first and none for the second
+tile degrees.wkt --grid 2x1 --tile 0,0 -o degrees --source one => 0
+tile metres.geojson --grid 2x1 --tile 1,0 -o metres --source one => 0
+sum degrees metres => 2 crs is none for the first and EPSG:2056 for the second
 ",
     );
     // The units are those of the audit, which chooses them by the map's location and by the file.
@@ -131,11 +148,11 @@ sum degrees metres => 2 crs is \"EPSG:2056\", but null
 fn a_sum_does_not_take_longer_for_large_numbers_of_features() {
     let folder = parcels();
     tiles(&folder, "parcels.wkt", "1x1", &["0,0"]);
-    let mut saved: Value = serde_json::from_slice(&folder.read("0,0")).unwrap();
+    let mut saved = as_json(&folder, "0,0");
     let defects = &mut saved["summary"]["defects"];
     assert_eq!(defects[0][0], 7);
     defects[0][0] = 4_000_000_000_u32.into();
-    folder.write("0,0", saved.to_string());
+    write_json(&folder, "0,0", saved);
     let (status, sum) = folder.json("sum 0,0 --format json");
     let findings = sum["coverage"]["findings"].as_array().unwrap();
     let invalid = findings.iter().find(|one| one["rule"] == "C6").unwrap();
@@ -161,4 +178,46 @@ sum s => 2 these tiles have none; --allow-empty accepts it
             .map(|line| folder.json(&format!("{line} --allow-empty --format json")));
         assert_eq!((of_sum.0, &of_sum.1["counts"]), (of_whole.0, &of_whole.1["counts"]));
     }
+}
+
+/// Regressions: tile 0 of one file and tile 1 of another, both invalid, added up to a valid map; and 16 of 247 bytes of a summary could be changed
+/// without anybody noticing.
+#[test]
+fn tiles_of_two_files_and_damaged_summaries_are_refused() {
+    let square = |x: i32| format!("POLYGON(({x} 0,{0} 0,{0} 1,{x} 1,{x} 0))", x + 1);
+    let [left, right] = [[0, 0, 1], [0, 1, 1]].map(|at| at.map(square).join("\n"));
+    let folder = Folder::new(&[("left.wkt", &left), ("right.wkt", &right)]);
+    folder.transcript(
+        "
+audit left.wkt --coverage => 1
+audit right.wkt --coverage => 1
+tile left.wkt --grid 2x1 --tile 1,0 -o one => 0
+tile right.wkt --grid 2x1 --tile 0,0 -o other => 0
+sum one other --coverage => 2 one and other: these are not tiles of one map: sha256 is
+",
+    );
+    let right = folder.read("one");
+    for place in 0..right.len() {
+        let mut changed = right.clone();
+        changed[place] ^= 1 << (place % 8);
+        folder.write("changed", &changed);
+        assert!(Portion::from_bytes(&changed).is_err(), "byte {place}");
+    }
+    let cut = &right[..right.len() - 1];
+    folder.write("changed", cut);
+    folder.transcript("sum changed => 2 this summary of tiles is damaged: its checksum is wrong");
+}
+
+/// Regression: C1 … C5 and C7 were not checked where all contacts lie within one cell of the grid, as if no edges had to be cut.
+#[test]
+fn edges_that_meet_within_one_cell_are_judged_as_by_the_audit() {
+    // The lower sides of both squares are less than a cell apart.
+    let touch = "POLYGON((0 0,1 0,1 1,0 1,0 0))\nPOLYGON((1 2.3e-16,2 2.3e-16,2 1.0000000000000002,1 1.0000000000000002,1 2.3e-16))";
+    let folder = Folder::new(&[("touch.wkt", touch)]);
+    let files = tiles(&folder, "touch.wkt", "2x1", &["0,0", "1,0"]);
+    let (status, sum) = folder.json(&format!("sum --format json {files}"));
+    let (of_whole, whole) = folder.json("audit touch.wkt --format json");
+    counts_as(&sum, &whole);
+    assert_eq!((status, &sum["judged"]), (of_whole, &whole["judged"]));
+    assert_eq!((whole["coverage"]["mismatches"].as_u64(), &whole["coverage"]["not_checked"]), (Some(1), &Value::Null));
 }

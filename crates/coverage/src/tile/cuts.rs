@@ -20,6 +20,7 @@ use super::ends::{Ends, compare_edges, compare_points};
 use super::error::TileError;
 use super::extent::{corners, points};
 use super::grid::{Grid, Tile};
+use super::portion::Source;
 use core::cmp::Ordering;
 use rustc_hash::{FxHashMap, FxHashSet};
 use twinedge::dcel::RecordKind;
@@ -77,6 +78,7 @@ fn key(ends: &Ends) -> Key {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(try_from = "saved::SavedCuts", into = "saved::SavedCuts"))]
 pub struct Cuts {
+    source: Source,
     noding: PartNoding,
     largest: f64,
     rounds: u32,
@@ -97,6 +99,7 @@ pub struct Cuts {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(try_from = "saved::SavedFound"))]
 pub struct Found {
+    source: Source,
     /// The largest coordinate and the round of the search.
     largest: f64,
     round: u32,
@@ -118,6 +121,7 @@ impl Cuts {
         }
         let noding = PartNoding::new(largest).map_err(|_| refused())?;
         Ok(Self {
+            source: Source::new(),
             noding,
             largest,
             rounds: 0,
@@ -128,6 +132,18 @@ impl Cuts {
             fresh: Vec::new(),
             seen: FxHashSet::default(),
         })
+    }
+
+    /// Returns the cuts as those of a map of this source. What is found in maps of other sources is refused then.
+    #[must_use]
+    pub fn of(self, source: Source) -> Self {
+        Self { source, ..self }
+    }
+
+    /// Returns what the map was made of; nothing if it was not said.
+    #[must_use]
+    pub const fn source(&self) -> &Source {
+        &self.source
     }
 
     /// Returns true if the search is finished.
@@ -238,8 +254,8 @@ impl Cuts {
     }
 
     fn nothing(&self) -> Found {
-        let (largest, round) = (self.largest, self.rounds);
-        Found { largest, round, crossings: Vec::new(), chains: Vec::new(), doubtful: Vec::new() }
+        let (source, largest, round) = (self.source.clone(), self.largest, self.rounds);
+        Found { source, largest, round, crossings: Vec::new(), chains: Vec::new(), doubtful: Vec::new() }
     }
 
     fn cuts_of(&self, segments: &[Ends], vertices: &[Point]) -> Result<Found, TileError> {
@@ -261,7 +277,8 @@ impl Cuts {
         let mut of_round: FxHashMap<Key, (Ends, Vec<Point>)> = FxHashMap::default();
         let (mut crossings, mut doubtful) = (Vec::new(), Vec::new());
         for mut one in found {
-            if self.is_complete || one.round != self.rounds || one.largest.to_bits() != self.largest.to_bits() {
+            let is_here = one.round == self.rounds && one.largest.to_bits() == self.largest.to_bits();
+            if self.is_complete || !is_here || one.source != self.source {
                 return Err(TileError::OtherCuts);
             }
             crossings.append(&mut one.crossings);

@@ -22,16 +22,20 @@ pub enum TileError {
     Build(#[from] BuildError),
 }
 
-/// The error of [`Summary::merge`](super::Summary::merge).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+/// The error of [`Summary::merge`](super::Summary::merge) and [`Portion::merge`](super::Portion::merge).
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum MergeError {
-    /// The summaries are of different grids.
-    #[error("the summaries are of different grids")]
-    Grids,
-    /// The summaries were made with different limits.
-    #[error("the summaries were made with different limits")]
-    Limits,
+    /// The tiles are not of one map, one grid or the same limits.
+    #[error("these are not tiles of one map: {what} is {one} for the first and {other} for the second")]
+    Different {
+        /// The fact of the source, the dimension of the grid or the limit that differs.
+        what: String,
+        /// The value for the first tiles; `none` if there is none.
+        one: String,
+        /// The value for the second tiles.
+        other: String,
+    },
     /// Both summaries contain a tile.
     #[error("both summaries have tile {0}")]
     Twice(Tile),

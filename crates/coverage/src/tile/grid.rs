@@ -93,6 +93,11 @@ impl Grid {
         [self.columns, self.rows]
     }
 
+    /// Returns the corners of the box that the lines divide.
+    pub(super) const fn corners(&self) -> [Point; 2] {
+        [self.low, self.high]
+    }
+
     fn upright(&self, column: u32) -> f64 {
         line(self.low.x, self.high.x, column, self.columns)
     }

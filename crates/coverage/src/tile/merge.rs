@@ -7,8 +7,10 @@ use super::fault::{SeamFault, SeamRule};
 use super::grid::Tile;
 use super::side::Side;
 use super::summary::{Border, Contact, Joins, Summary};
+use crate::Limits;
 use core::cmp::Ordering;
 use std::collections::BTreeMap;
+use twinedge_geometry::Point;
 
 impl Summary {
     /// Merges two summaries of different tiles, which may be far apart. O(n log n) for the listed records of both, expected.
@@ -31,17 +33,9 @@ impl Summary {
     /// ```
     ///
     /// # Errors
-    /// [`MergeError::Grids`] and [`MergeError::Twice`].
+    /// [`MergeError`].
     pub fn merge(self, other: Self) -> Result<Self, MergeError> {
-        if self.limits != other.limits {
-            return Err(MergeError::Limits);
-        }
-        if self.grid != other.grid {
-            return Err(MergeError::Grids);
-        }
-        if let Some(tile) = self.tiles.iter().find(|tile| other.tiles.binary_search(tile).is_ok()) {
-            return Err(MergeError::Twice(*tile));
-        }
+        self.belongs_to(&other)?;
         let mut both = beside(self, other);
         let mut joins = Joins::new(&both);
         let mut borders: BTreeMap<(Tile, Side), Border> =
@@ -56,6 +50,34 @@ impl Summary {
         }
         both.borders = borders.into_values().collect();
         Ok(both.settled(&mut joins))
+    }
+
+    /// Checks that both have one grid and the same limits, and no tile in common.
+    pub(super) fn belongs_to(&self, other: &Self) -> Result<(), MergeError> {
+        let all = [self, other].map(|one| {
+            let ([columns, rows], [low, high]) = (one.grid.size(), one.grid.corners());
+            let Limits { gap_width, lake_width, sliver_area, thinness, accepted_gaps } = &one.limits;
+            let points =
+                |points: &[Point]| points.iter().map(|p| format!("({}, {})", p.x, p.y)).collect::<Vec<_>>().join(" ");
+            let number = |limit: &Option<f64>| limit.map_or_else(|| "none".to_owned(), |limit| limit.to_string());
+            [
+                ("the grid", format!("{columns}x{rows}")),
+                ("the box", points(&[low, high])),
+                ("gap_width", number(gap_width)),
+                ("lake_width", number(lake_width)),
+                ("sliver_area", number(sliver_area)),
+                ("thinness", thinness.to_string()),
+                ("accepted_gaps", points(accepted_gaps)),
+            ]
+        });
+        let [ones, others] = all;
+        if let Some((one, other)) = ones.into_iter().zip(others).find(|(one, other)| one != other) {
+            return Err(MergeError::Different { what: one.0.to_owned(), one: one.1, other: other.1 });
+        }
+        match self.tiles.iter().find(|tile| other.tiles.binary_search(tile).is_ok()) {
+            Some(tile) => Err(MergeError::Twice(*tile)),
+            None => Ok(()),
+        }
     }
 }
 

@@ -89,6 +89,8 @@
 //! [`Limits`]: crate::Limits
 
 mod audit;
+#[cfg(feature = "serde")]
+mod bytes;
 mod claimed;
 mod clip;
 mod cuts;
@@ -103,6 +105,7 @@ mod large;
 mod local;
 mod merge;
 mod pieces;
+mod portion;
 mod region;
 #[cfg(feature = "serde")]
 mod saved;
@@ -111,11 +114,14 @@ mod summary;
 mod tally;
 
 pub use audit::audit;
+#[cfg(feature = "serde")]
+pub use bytes::BytesError;
 pub use cuts::{Cuts, Found};
 pub use error::{AuditError, FinishError, MergeError, TileError};
 pub use fault::{Crossing, CrossingKind, SeamFault, SeamRule, Uneven};
 pub use finish::Outcome;
 pub use grid::{Grid, GridError, Tile};
+pub use portion::{Portion, Source};
 pub use side::Side;
 pub use summary::Summary;
 

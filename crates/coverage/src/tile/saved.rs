@@ -4,6 +4,7 @@ use super::claimed::Claimed;
 use super::ends::{Ends, compare_edges};
 use super::fault::{Crossing, SeamFault, Uneven};
 use super::grid::{Grid, Tile};
+use super::portion::{Portion, Source};
 use super::region::{Claim, Edge, Region, Sliver};
 use super::side::Side;
 use super::summary::{Border, Component, Face, MOST, Summary, Totals};
@@ -149,5 +150,25 @@ impl TryFrom<Saved> for Summary {
             seams,
             plane_seams,
         })
+    }
+}
+
+#[derive(serde::Deserialize)]
+pub(super) struct SavedPortion {
+    source: Source,
+    summary: Summary,
+    cut: Option<Summary>,
+}
+
+impl TryFrom<SavedPortion> for Portion {
+    type Error = SavedError;
+
+    fn try_from(SavedPortion { source, summary, cut }: SavedPortion) -> Result<Self, SavedError> {
+        let is_of = |cut: &Summary| cut.tiles.iter().all(|tile| summary.tiles.binary_search(tile).is_ok());
+        if cut.as_ref().is_none_or(|cut| is_of(cut) && cut.grid == summary.grid && cut.limits == summary.limits) {
+            Ok(Self { source, summary, cut })
+        } else {
+            Err(SavedError::Tiles)
+        }
     }
 }

@@ -7,6 +7,7 @@ mod coverages;
 mod cut;
 mod drawn;
 mod maps;
+mod portions;
 mod saved;
 mod whole;
 mod window;

@@ -1,6 +1,7 @@
 //! Loading saved cuts: points must be on the grid and chains must not turn back, so that following chains terminates.
 
 use super::{Cuts, Found, Key, ROUNDS, is_way, key, unsigned};
+use crate::tile::Source;
 use crate::tile::ends::{Ends, compare_edges, compare_points};
 use core::cmp::Ordering;
 use thiserror::Error;
@@ -11,6 +12,7 @@ type Chains = Vec<(Ends, Vec<Point>)>;
 /// The saved form of cuts: sorted, so that equal cuts have equal bytes.
 #[derive(serde::Serialize, serde::Deserialize)]
 pub(super) struct SavedCuts {
+    source: Source,
     largest: f64,
     rounds: u32,
     crossings: Vec<Point>,
@@ -23,6 +25,7 @@ pub(super) struct SavedCuts {
 /// The saved form of a tile's finds.
 #[derive(serde::Deserialize)]
 pub(super) struct SavedFound {
+    source: Source,
     largest: f64,
     round: u32,
     crossings: Vec<Point>,
@@ -48,10 +51,10 @@ impl From<Cuts> for SavedCuts {
             all.sort_by(|a, b| compare_edges(&a.0, &b.0));
             all
         };
-        let Cuts { largest, rounds, crossings, fresh, .. } = cuts;
+        let Cuts { source, largest, rounds, crossings, fresh, .. } = cuts;
         let mut seen: Vec<Ends> = cuts.seen.into_iter().map(ends).collect();
         seen.sort_by(compare_edges);
-        Self { largest, rounds, crossings, chains: chains(cuts.chains), bends: chains(cuts.bends), fresh, seen }
+        Self { source, largest, rounds, crossings, chains: chains(cuts.chains), bends: chains(cuts.bends), fresh, seen }
     }
 }
 
@@ -59,7 +62,7 @@ impl TryFrom<SavedCuts> for Cuts {
     type Error = SavedError;
 
     fn try_from(saved: SavedCuts) -> Result<Self, SavedError> {
-        let SavedCuts { largest, rounds, crossings, chains, bends, fresh, seen } = saved;
+        let SavedCuts { source, largest, rounds, crossings, chains, bends, fresh, seen } = saved;
         let none = Self::new(largest).map_err(|_| SavedError::Largest)?;
         let is_new = [chains.len(), bends.len(), crossings.len(), fresh.len(), seen.len()] == [0; 5];
         if rounds > ROUNDS && !fresh.is_empty() || rounds > ROUNDS + 1 || rounds == 0 && !is_new {
@@ -86,7 +89,7 @@ impl TryFrom<SavedCuts> for Cuts {
             bends: map(bends),
             fresh,
             seen,
-            ..none
+            ..none.of(source)
         };
         let is_known = cuts.fresh.iter().all(|ends| cuts.seen.contains(&key(ends)));
         if is_in_order && is_known { Ok(cuts) } else { Err(SavedError::Order) }
@@ -97,7 +100,7 @@ impl TryFrom<SavedFound> for Found {
     type Error = SavedError;
 
     fn try_from(saved: SavedFound) -> Result<Self, SavedError> {
-        let SavedFound { largest, round, crossings, chains, doubtful } = saved;
+        let SavedFound { source, largest, round, crossings, chains, doubtful } = saved;
         let none = Cuts::new(largest).map_err(|_| SavedError::Largest)?;
         if round > 0 && !(crossings.is_empty() && doubtful.is_empty()) {
             return Err(SavedError::Rounds);
@@ -106,7 +109,7 @@ impl TryFrom<SavedFound> for Found {
             && none.are_edges(chains.iter().map(|(ends, _)| ends), round == 0)
             && none.are_edges(doubtful.iter(), true)
             && chains.iter().all(|(_, chain)| chain.iter().all(|p| none.is_centre(*p)));
-        let found = Self { largest, round, crossings, chains, doubtful };
+        let found = Self { source, largest, round, crossings, chains, doubtful };
         if is_in_order { Ok(found) } else { Err(SavedError::Order) }
     }
 }
