@@ -279,7 +279,7 @@ pub fn node_numbered(points: &[Point], segments: &[[u32; 2]], snap: Snap, cuts: 
 }
 
 fn finish(grid: &Grid, mut read: Read<'_>, cuts: usize) -> Result<Noded, NodingError> {
-    let Runs { joined, of, duplicates } = runs::join(read.segments(grid));
+    let Runs { joined, of, duplicates } = runs::join(read.segments());
     if crossing_cuts(grid.pixels, &joined).is_some_and(|expected| expected / 2 > cuts as u64) {
         return Err(NodingError::TooManyCuts { allowed: cuts });
     }
