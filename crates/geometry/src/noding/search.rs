@@ -104,8 +104,6 @@ struct Search<'a> {
     segment_pool: Vec<u32>,
     vertex_pool: Vec<u32>,
     filing: Filing,
-    /// The block around each segment.
-    around: &'a [Block],
     /// The blocks around the segments of a leaf, kept to reuse memory.
     boxes: Vec<Block>,
 }
@@ -129,7 +127,6 @@ pub(super) fn search(
     let all = vertices.iter().copied().map(Block::one).reduce(|a, b| a.join(&b));
     let task = |block| Task::Look(Look { block, segments_from: 0, vertices_from: 0, state: State::New });
     let visits = AtomicUsize::new(0);
-    let around: Vec<Block> = segments.iter().map(|segment| pixels.around(segment)).collect();
     let mut search = Search {
         pixels,
         segments,
@@ -140,7 +137,6 @@ pub(super) fn search(
         segment_pool: (0..segments.len() as u32).collect(),
         vertex_pool: (0..vertices.len() as u32).collect(),
         filing: Filing::default(),
-        around: &around,
         boxes: Vec::new(),
         vertices: Vertices::new(vertices),
     };
@@ -242,7 +238,8 @@ impl Search<'_> {
         // The remaining budget of tiles for segments that are in more than one.
         let mut left = segments.len();
         for &id in segments {
-            let around = self.around[id as usize];
+            let segment = &self.segments[id as usize];
+            let around = self.pixels.around(segment);
             let range = tiles.of(&around);
             if let Some(tile) = range.only() {
                 self.filing.segment(tile, id, around);
@@ -252,7 +249,6 @@ impl Search<'_> {
                 return false;
             };
             left = rest;
-            let segment = &self.segments[id as usize];
             for tile in range.tiles() {
                 if self.pixels.line_nears(segment, &tiles.block(tile)) {
                     self.filing.segment(tile, id, around);
@@ -276,13 +272,13 @@ impl Search<'_> {
         let middle = halves[0].high[axis];
         self.filing.clear(2);
         for &id in segments {
-            let around = self.around[id as usize];
+            let segment = &self.segments[id as usize];
+            let around = self.pixels.around(segment);
             if around.high[axis] <= middle {
                 self.filing.segment(0, id, around);
             } else if around.low[axis] > middle {
                 self.filing.segment(1, id, around);
             } else {
-                let segment = &self.segments[id as usize];
                 for (number, half) in halves.iter().enumerate() {
                     if self.pixels.line_nears(segment, half) {
                         self.filing.segment(number, id, around);
@@ -301,7 +297,8 @@ impl Search<'_> {
     fn part(&mut self, parts: &[Block], segments: &[u32], vertices: &[u32]) {
         self.filing.clear(parts.len());
         for &id in segments {
-            let (segment, around) = (&self.segments[id as usize], self.around[id as usize]);
+            let segment = &self.segments[id as usize];
+            let around = self.pixels.around(segment);
             for (number, part) in parts.iter().enumerate() {
                 if around.overlaps(part) && (part.includes(&around) || self.pixels.line_nears(segment, part)) {
                     self.filing.segment(number, id, around);
@@ -434,7 +431,7 @@ impl Search<'_> {
 
     fn surround(&mut self, segments: &[u32]) {
         self.boxes.clear();
-        self.boxes.extend(segments.iter().map(|&id| self.around[id as usize]));
+        self.boxes.extend(segments.iter().map(|&id| self.pixels.around(&self.segments[id as usize])));
     }
 
     fn try_visits(&mut self, segments: &[u32], vertices: &[u32]) {

@@ -54,11 +54,12 @@ pub(super) fn cover(dcel: &Dcel, segments: usize, gathered: &GatheredFeatures) -
     let mut sets = FeatureSets::default();
     let singles: Vec<SetId> = (0..names.len() as u32).map(|feature| sets.single(FeatureId::new(feature))).collect();
     // Neighbours mostly have the same features.
-    let (mut last, mut set): (&[u32], _) = (&[], SetId::default());
+    let (mut features, mut last, mut set) = (Vec::new(), &[][..], SetId::default());
     for segment in 0..segments {
         let uses = uses.of(segment);
         if uses != last {
-            let mut features: Vec<u32> = uses.iter().map(|part| parts[*part as usize].feature).collect();
+            features.clear();
+            features.extend(uses.iter().map(|part| parts[*part as usize].feature));
             features.dedup();
             let either = |set, feature: &u32| sets.either(set, singles[*feature as usize]);
             (last, set) = (uses, features.iter().fold(SetId::default(), either));

@@ -68,7 +68,6 @@ impl Search<'_> {
             segment_pool: self.segment_pool.split_off(segments_from),
             vertex_pool: self.vertex_pool.split_off(vertices_from),
             filing: Filing::default(),
-            around: self.around,
             boxes: Vec::new(),
         })
     }
