@@ -237,7 +237,8 @@ impl Builder {
         let Course { starts, returns } = &course;
         let darts = &self.features.darts[before..];
         let shape =
-            Ring { ring, starts, returns: *returns, points: &self.points, segments: &self.segments, darts }.shape();
+            Ring { input: ring, starts, returns: *returns, points: &self.points, segments: &self.segments, darts }
+                .shape();
         let summary = &mut self.summary;
         if darts.len() < 3 {
             summary.degenerate_rings += 1;

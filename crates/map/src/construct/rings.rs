@@ -8,7 +8,7 @@ use twinedge_geometry::predicates::{Orientation, compare_lexicographic, orientat
 /// A ring and its future half-edges.
 pub(super) struct Ring<'a> {
     /// The points of the input.
-    pub(super) ring: &'a [Point],
+    pub(super) input: &'a [Point],
     /// The position of the point where each half-edge starts.
     pub(super) starts: &'a [u32],
     /// False if no two half-edges start at one vertex.
@@ -44,7 +44,7 @@ impl Ring<'_> {
         if rest.is_empty() {
             return shape;
         }
-        let corner = |start: u32| self.ring[start as usize];
+        let corner = |start: u32| self.input[start as usize];
         let (mut a, mut b, mut at) = (corner(*first), corner(*second), *second);
         // The lexicographically smallest corner between two others.
         let mut lowest = [a, b, a];
