@@ -218,7 +218,7 @@ impl FeatureTries {
     fn intern(&mut self, node: Node) -> SetId {
         let Self { nodes, numbers } = self;
         let node = Packed::new(node);
-        if let Some(known) = numbers.find(node.hash(), |number| nodes[number as usize] == node) {
+        if let Ok(known) = numbers.find(node.hash(), |number| nodes[number as usize] == node) {
             return SetId(known);
         }
         nodes.push(node);

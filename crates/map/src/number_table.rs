@@ -1,13 +1,14 @@
 //! A table that finds the number of an item by its hash. The items are stored elsewhere, in the order of their numbers, so the
-//! table stores only a number and two bits of hash for each.
+//! table stores only a number and some bits of hash for each: as many as the number leaves free.
 
 use core::hash::Hasher;
 use rustc_hash::FxHasher;
 
+/// No number of an item: it exceeds three quarters of the slots.
 const EMPTY: u32 = u32::MAX;
 
-/// Numbers are less than this: the bits above hold part of the hash.
-const MOST: u32 = 1 << 30;
+/// The greatest number of items.
+const MOST: usize = 1 << 30;
 
 /// The numbers of items from 0 on.
 #[derive(Clone, Debug, Default)]
@@ -25,50 +26,73 @@ pub(super) fn hash([a, b]: [u64; 2]) -> u64 {
     (hash ^ hash >> 32).wrapping_mul(0x9e37_79b9_7f4a_7c15)
 }
 
-/// Returns the bits of a hash that are stored with a number.
-const fn tag(hash: u64) -> u32 {
-    // A fourth value would make the last number look like an empty slot.
-    (hash % 3) as u32 * MOST
-}
-
 impl NumberTable {
-    /// Returns the slots, starting at the slot of a hash.
-    fn way(&self, hash: u64) -> impl Iterator<Item = usize> + use<> {
-        let last = self.slots.len().wrapping_sub(1);
-        let first = (hash >> 32) as usize;
-        (0..self.slots.len()).map(move |step| (first + step) & last)
+    /// Returns the number of the last slot. Its bits are those of numbers in entries; the others are from the hash.
+    const fn last(&self) -> u32 {
+        (self.slots.len() as u32).wrapping_sub(1)
+    }
+
+    /// Returns the first slot of a hash.
+    const fn first(&self, hash: u64) -> u32 {
+        (hash >> 32) as u32 & self.last()
     }
 
     /// Reads the first slots of several hashes, so that memory fetches them together instead of one by one.
-    pub(super) fn read_ahead(&self, hashes: impl Iterator<Item = u64>) {
-        let slots = hashes.filter_map(|hash| self.way(hash).next());
-        core::hint::black_box(slots.fold(0, |all, slot| all ^ self.slots[slot]));
+    pub(super) fn read_ahead(&self, hashes: &[u64]) {
+        let read = |hash: &u64| self.slots.get(self.first(*hash) as usize).copied().unwrap_or(EMPTY);
+        core::hint::black_box(hashes.iter().fold(0, |all, hash| all ^ read(hash)));
     }
 
-    /// Returns the number of the item with this hash that `is` accepts. O(1), expected.
-    pub(super) fn find(&self, hash: u64, is: impl Fn(u32) -> bool) -> Option<u32> {
-        let entries = self.way(hash).map(|slot| self.slots[slot]).take_while(|entry| *entry != EMPTY);
-        let mut alike = entries.filter(|entry| entry & !(MOST - 1) == tag(hash)).map(|entry| entry & (MOST - 1));
-        alike.find(|number| is(*number))
+    /// Returns the number of the item with this hash that `is` accepts; otherwise the free slot where [`fill`](Self::fill) adds
+    /// the next item, if there is [room](Self::reserve) for it. O(1), expected.
+    pub(super) fn find(&self, hash: u64, is: impl Fn(u32) -> bool) -> Result<u32, usize> {
+        let last = self.last();
+        let (mut slot, tag) = (self.first(hash), hash as u32 & !last);
+        // Ends, since a quarter of the slots stays empty.
+        while let Some(entry) = self.slots.get(slot as usize).filter(|entry| **entry != EMPTY) {
+            // With other bits of hash, the number is too large.
+            let number = entry ^ tag;
+            if number <= last && is(number) {
+                return Ok(number);
+            }
+            slot = (slot + 1) & last;
+        }
+        Err(slot as usize)
+    }
+
+    /// Adds the next item, with this hash, in a slot that [`find`](Self::find) returned for it. O(1).
+    pub(super) fn fill(&mut self, slot: usize, hash: u64) {
+        self.slots[slot] = hash as u32 & !self.last() | self.count;
+        self.count += 1;
+    }
+
+    /// Makes room for `count` items in total, at most 2^30. If the table grows, `hash_of` is called for all items. O(1) for each,
+    /// expected.
+    pub(super) fn reserve(&mut self, count: usize, hash_of: impl Fn(u32) -> u64) {
+        if count > self.slots.len() / 4 * 3 {
+            let known = core::mem::take(&mut self.count);
+            // The old table is freed before the new one is allocated.
+            self.slots = Vec::new();
+            self.slots = vec![EMPTY; (count / 3 * 4 + 4).next_power_of_two()];
+            self.add(known, hash_of);
+        }
     }
 
     /// Adds items until there are `count`. `hash_of` is called for the new items, and for all others when the table grows.
     /// Numbers from 2^30 on are never found. O(1) for each, expected.
     pub(super) fn extend(&mut self, count: usize, hash_of: impl Fn(u32) -> u64) {
-        let count = count.min(MOST as usize) as u32;
-        if count as usize > self.slots.len() / 4 * 3 {
-            // The old table is freed before the new one is allocated.
-            self.slots = Vec::new();
-            self.slots = vec![EMPTY; (count as usize / 3 * 4 + 4).next_power_of_two()];
-            self.count = 0;
-        }
+        let count = count.min(MOST);
+        self.reserve(count, &hash_of);
+        self.add(count as u32, hash_of);
+    }
+
+    fn add(&mut self, count: u32, hash_of: impl Fn(u32) -> u64) {
         for number in self.count..count {
             let hash = hash_of(number);
-            if let Some(free) = self.way(hash).find(|slot| self.slots[*slot] == EMPTY) {
-                self.slots[free] = tag(hash) | number;
+            if let Err(free) = self.find(hash, |_| false) {
+                self.fill(free, hash);
             }
         }
-        self.count = self.count.max(count);
     }
 }
 

@@ -38,13 +38,11 @@ impl Chains {
     /// Returns the index of a vertex in the pool, on the chain of a run that visits it.
     pub(super) fn place(&self, chain: usize, run: &Segment, vertices: &[Pixel], vertex: u32) -> usize {
         let along = |v: u32| run.progress(vertices[v as usize]);
-        let vertices_of = self.get(chain);
-        let place = match run.ends {
-            [first, _] if vertex == first => 0,
-            [_, last] if vertex == last => vertices_of.len() - 1,
-            _ => vertices_of.partition_point(|&v| along(v) < along(vertex)),
-        };
-        self.starts[chain] + place
+        match run.ends {
+            [first, _] if vertex == first => self.starts[chain],
+            [_, last] if vertex == last => self.starts[chain + 1] - 1,
+            _ => self.starts[chain] + self.get(chain).partition_point(|&v| along(v) < along(vertex)),
+        }
     }
 
     /// Makes the chains of segments through the vertices that they visit, in order.

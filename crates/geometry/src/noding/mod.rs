@@ -279,7 +279,7 @@ pub fn node_numbered(points: &[Point], segments: &[[u32; 2]], snap: Snap, cuts: 
 }
 
 fn finish(grid: &Grid, mut read: Read<'_>, cuts: usize) -> Result<Noded, NodingError> {
-    let Runs { joined, of, duplicates } = runs::join(read.segments(grid));
+    let Runs { joined, of, duplicates } = runs::join(read.segments());
     if crossing_cuts(grid.pixels, &joined).is_some_and(|expected| expected / 2 > cuts as u64) {
         return Err(NodingError::TooManyCuts { allowed: cuts });
     }
@@ -305,9 +305,11 @@ fn finish(grid: &Grid, mut read: Read<'_>, cuts: usize) -> Result<Noded, NodingE
     let mut order = core::mem::take(&mut read.order);
     let sorted_already = order.len();
     order.extend(sorted_already as u32..vertices.len() as u32);
-    threads::sort_unstable_by(&mut order[sorted_already..], by_pixel);
-    // At most two sorted runs, so this merges.
-    order.sort_by(by_pixel);
+    if sorted_already < order.len() {
+        threads::sort_unstable_by(&mut order[sorted_already..], by_pixel);
+        // At most two sorted runs, so this merges.
+        order.sort_by(by_pixel);
+    }
     let mut number = vec![0; vertices.len()];
     for (place, &v) in (0..).zip(&order) {
         number[v as usize] = place;
@@ -324,7 +326,7 @@ fn finish(grid: &Grid, mut read: Read<'_>, cuts: usize) -> Result<Noded, NodingE
         largest_move: read.largest_move(grid, &vertices),
     };
     let (segments, (points, pool, vertex_of_point)) = threads::join(
-        || distinct_edges(|| chains.edges().map(|edge| sorted(edge.map(renamed))), vertices.len()),
+        || distinct_edges(chains.edges().map(|edge| sorted(edge.map(renamed))), vertices.len()),
         || {
             let points = order.iter().map(|&v| grid.point(vertices[v as usize])).collect();
             let pool = chains.pool().iter().copied().chain(collapsed).map(renamed).collect();
@@ -335,17 +337,18 @@ fn finish(grid: &Grid, mut read: Read<'_>, cuts: usize) -> Result<Noded, NodingE
 }
 
 /// Returns the edges in lexicographical order, each once. O(n + v) for v vertices, plus sorting the edges at each.
-fn distinct_edges<I: Iterator<Item = [u32; 2]>>(edges: impl Fn() -> I, vertices: usize) -> Vec<[u32; 2]> {
+fn distinct_edges(edges: impl Iterator<Item = [u32; 2]>, vertices: usize) -> Vec<[u32; 2]> {
+    let edges: Vec<[u32; 2]> = edges.collect();
     // After summation, `first[v + 1]` is the start of the edges of vertex v; filing moves it to their end.
     let mut first = vec![0_usize; vertices + 2];
-    for [v, _] in edges() {
-        first[v as usize + 2] += 1;
+    for [v, _] in &edges {
+        first[*v as usize + 2] += 1;
     }
     for v in 1..first.len() {
         first[v] += first[v - 1];
     }
-    let mut filed = vec![[0; 2]; first[vertices + 1]];
-    for edge in edges() {
+    let mut filed = vec![[0; 2]; edges.len()];
+    for edge in edges {
         let place = &mut first[edge[0] as usize + 1];
         filed[*place] = edge;
         *place += 1;

@@ -72,7 +72,7 @@ impl PartNoding {
             return Err(NodingError::TooMany);
         }
         let read = Read::new(&self.grid, segments, points);
-        let Runs { joined, of, .. } = runs::join(read.segments(&self.grid));
+        let Runs { joined, of, .. } = runs::join(read.segments());
         let mut vertices = read.vertices.clone();
         let found = search(self.grid.pixels, &joined, &mut vertices, most)?;
         let mut is_doubtful = vec![false; joined.len()];

@@ -2,7 +2,8 @@
 
 use super::grid::Grid;
 use super::input::{Input, NodingError};
-use super::pixel::{Pixel, Segment};
+use super::pixel::{Pixel, Segment, Steps};
+use crate::events::sorted;
 use crate::point::{Point, folded};
 use crate::threads;
 use rustc_hash::FxHashMap;
@@ -12,6 +13,8 @@ use std::borrow::Cow;
 #[derive(Default)]
 pub(super) struct Read<'a> {
     sites: Cow<'a, [Point]>,
+    /// By site, its position and its vertex.
+    positions: Vec<Steps>,
     vertex_of: Vec<u32>,
     /// The sites where each segment starts and ends.
     ends: Cow<'a, [[u32; 2]]>,
@@ -47,33 +50,33 @@ impl<'a> Read<'a> {
 
     /// Reads distinct points, all of them vertices, and segments between them by number.
     pub(super) fn numbered(grid: &Grid, points: &'a [Point], segments: &'a [[u32; 2]]) -> Self {
-        let pixel = |number: usize| grid.pixels.at(grid.steps(points[number]));
-        let mut sorted: Vec<(Pixel, u32)> = threads::map(points, |point| (grid.pixels.at(grid.steps(*point)), 0));
-        for (number, (_, of)) in (0..).zip(&mut sorted) {
-            *of = number;
+        let positions: Vec<Steps> = threads::map(points, |point| grid.steps(*point));
+        let pixel = |number: u32| grid.pixels.at(positions[number as usize]);
+        // The points of a column of pixels follow each other.
+        let mut by_pixel: Vec<(Pixel, u32)> =
+            sorted(points).into_iter().map(|event| (pixel(event.vertex), event.vertex)).collect();
+        for column in by_pixel.chunk_by_mut(|(p, _), (q, _)| p[0] == q[0]) {
+            threads::sort_unstable_by(column, |(p, i), (q, j)| p[1].cmp(&q[1]).then(i.cmp(j)));
         }
-        // One number for both coordinates is compared without a branch.
-        let key = |[x, y]: Pixel| i128::from(x) << 64 | i128::from(y.cast_unsigned() ^ 1 << 63);
-        threads::sort_unstable_by(&mut sorted, |(a, p), (b, q)| key(*a).cmp(&key(*b)).then(p.cmp(q)));
         // The vertices keep the order of the points: neighbours in a drawing are mostly neighbours there.
         let mut vertex_of = vec![0; points.len()];
         let first_of = |equal: &[(Pixel, u32)]| equal[0].1;
         let mut order = Vec::with_capacity(points.len());
-        for equal in sorted.chunk_by(|(p, _), (q, _)| p == q) {
+        for equal in by_pixel.chunk_by(|(p, _), (q, _)| p == q) {
             order.push(first_of(equal));
             for (_, number) in equal {
                 vertex_of[*number as usize] = first_of(equal);
             }
         }
-        drop(sorted);
+        drop(by_pixel);
         let mut vertices: Vec<Pixel> = Vec::with_capacity(order.len());
-        for number in 0..points.len() {
-            let first = vertex_of[number] as usize;
+        for number in 0..points.len() as u32 {
+            let first = vertex_of[number as usize];
             if first == number {
-                vertex_of[number] = vertices.len() as u32;
+                vertex_of[number as usize] = vertices.len() as u32;
                 vertices.push(pixel(number));
             } else {
-                vertex_of[number] = vertex_of[first];
+                vertex_of[number as usize] = vertex_of[first as usize];
             }
         }
         for first in &mut order {
@@ -81,6 +84,7 @@ impl<'a> Read<'a> {
         }
         Self {
             sites: points.into(),
+            positions,
             vertex_of,
             ends: segments.into(),
             points: (0..points.len() as u32).collect(),
@@ -89,16 +93,12 @@ impl<'a> Read<'a> {
         }
     }
 
-    pub(super) fn segments(&self, grid: &Grid) -> Vec<Segment> {
-        let longer = self.ends.iter().filter(|ends| {
-            let [p, q] = ends.map(|site| self.vertex_of[site as usize]);
-            p != q
-        });
+    pub(super) fn segments(&self) -> Vec<Segment> {
         let mut segments = Vec::with_capacity(self.ends.len());
-        segments.extend(longer.map(|ends| {
-            let [p, q] = ends.map(|site| (grid.steps(self.sites[site as usize]), self.vertex_of[site as usize]));
+        segments.extend(self.ends.iter().filter_map(|ends| {
+            let [p, q] = ends.map(|site| (self.positions[site as usize], self.vertex_of[site as usize]));
             let [(a, from), (b, to)] = if p.0 < q.0 { [p, q] } else { [q, p] };
-            Segment { a, b, ends: [from, to] }
+            (from != to).then_some(Segment { a, b, ends: [from, to] })
         }));
         segments
     }
@@ -136,13 +136,15 @@ struct Reader<'a> {
 impl Reader<'_> {
     fn site(&mut self, point: Point) -> u32 {
         *self.sites.entry(point.hash_key()).or_insert_with(|| {
-            let pixel = self.grid.pixels.at(self.grid.steps(point));
+            let position = self.grid.steps(point);
+            let pixel = self.grid.pixels.at(position);
             let key = pixel.map(|c| folded(c.cast_unsigned()));
             let vertex = *self.vertices.entry(key.into()).or_insert_with(|| {
                 self.read.vertices.push(pixel);
                 self.read.vertices.len() as u32 - 1
             });
             self.read.sites.to_mut().push(point);
+            self.read.positions.push(position);
             self.read.vertex_of.push(vertex);
             self.read.sites.len() as u32 - 1
         })

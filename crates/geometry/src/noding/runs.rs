@@ -44,6 +44,11 @@ pub(super) fn join(segments: Vec<Segment>) -> Runs {
         if runs.of[id as usize] != NONE {
             continue;
         }
+        if before[id as usize] == NONE {
+            runs.of[id as usize] = runs.joined.len() as u32;
+            runs.joined.push(segments[id as usize]);
+            continue;
+        }
         group.clear();
         let mut next = id;
         while next != NONE {

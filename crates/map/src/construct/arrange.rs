@@ -106,10 +106,15 @@ fn sort_by_angle(points: &[Point], segments: &[[u32; 2]], from: usize, first: &[
     }
     for i in 0..of {
         let leaving = &mut darts[place(i)..place(i + 1)];
-        if leaving.len() > 1 {
-            let (at, head) = (points[from + i], |d: &Dart| points[target(segments, *d) as usize]);
-            // Darts of segments that overlap leave in the same direction.
-            threads::sort_unstable_by(leaving, |a, b| compare_angle(at, head(a), head(b)).then(a.cmp(b)));
+        let (at, head) = (points[from + i], |d: &Dart| points[target(segments, *d) as usize]);
+        // Darts of segments that overlap leave in the same direction.
+        let order = |a: &Dart, b: &Dart| compare_angle(at, head(a), head(b)).then(a.cmp(b));
+        match leaving {
+            [] | [_] => {}
+            // Most points of most drawings are like this.
+            [a, b] if order(a, b).is_le() => {}
+            [a, b] => core::mem::swap(a, b),
+            _ => threads::sort_unstable_by(leaving, order),
         }
     }
 }

@@ -29,6 +29,14 @@ struct Step {
     is_new: bool,
 }
 
+#[derive(Default)]
+struct Course {
+    /// The position of the point where each segment starts.
+    starts: Vec<u32>,
+    /// True if two segments of the ring may start at one vertex.
+    returns: bool,
+}
+
 /// Gathers rings, lines and points, and builds the map of them.
 ///
 /// Vertices with equal coordinates are merged (−0 equals 0), as are repeated segments; segments without length are dropped.
@@ -54,6 +62,9 @@ pub struct Builder {
     /// Distinct segments, by their ends in order of vertex numbers.
     pub(super) segments: Vec<[u32; 2]>,
     segment_numbers: NumberTable,
+    /// The number of the last ring that visited each point. Numbers wrap around, so an equal number only suggests a second visit.
+    last_rings: Vec<u32>,
+    ring: u32,
     pub(super) features: GatheredFeatures,
     summary: BuildSummary,
     cuts: Option<usize>,
@@ -96,6 +107,7 @@ impl Builder {
         // A builder that was returned has no tables.
         self.places.extend(self.points.len(), |number| hash_of_point(self.points[number as usize]));
         self.segment_numbers.extend(self.segments.len(), |number| hash_of_segment(self.segments[number as usize]));
+        self.last_rings.resize(self.points.len(), self.ring);
         let [darts, parts] = [self.features.darts.len(), self.features.parts.len()];
         let taken = feature.shapes.iter().enumerate().try_for_each(|(shape, what)| {
             self.take(what, Position { feature: id.index(), shape, ..Position::default() })
@@ -167,10 +179,10 @@ impl Builder {
     fn check(shape: &Shape, at: Position) -> Result<(), BuildError> {
         let point = |p: &Point, position: Position| {
             let (x, y) = (p.x, p.y);
-            if !x.is_finite() || !y.is_finite() {
-                Err(BuildError::NotFinite { position, x, y })
-            } else if in_range(*p) {
+            if in_range(*p) {
                 Ok(())
+            } else if !x.is_finite() || !y.is_finite() {
+                Err(BuildError::NotFinite { position, x, y })
             } else {
                 Err(BuildError::OutOfRange { position, x, y })
             }
@@ -196,11 +208,11 @@ impl Builder {
                 self.features.put_part(true);
             }
             Shape::Line(points) => {
-                self.chain(points, at, &mut Vec::new())?;
+                self.chain(points, at, &mut Course::default())?;
                 self.features.put_part(false);
             }
             Shape::Point(p) => {
-                self.vertex(*p, 0)?;
+                self.vertex(*p, hash_of_point(*p), 0)?;
             }
         }
         Ok(())
@@ -213,16 +225,20 @@ impl Builder {
             return Ok(());
         };
         let before = self.features.darts.len();
-        let mut starts = Vec::with_capacity(ring.len());
-        self.chain(ring, at, &mut starts)?;
+        self.ring = self.ring.wrapping_add(1);
+        let mut course = Course { starts: Vec::with_capacity(ring.len()), returns: false };
+        self.chain(ring, at, &mut course)?;
         if first != last {
             let end = Position { point: ring.len() - 1, ..at };
             self.summary.open_rings += 1;
             self.summary.list(self.summary.open_rings, IrregularityKind::OpenRing, end, *last);
-            self.chain(&[*last, *first], end, &mut starts)?;
+            self.chain(&[*last, *first], end, &mut course)?;
         }
+        let Course { starts, returns } = &course;
         let darts = &self.features.darts[before..];
-        let shape = Ring { points: &self.points, segments: &self.segments, darts, starts: &starts }.shape();
+        let shape =
+            Ring { input: ring, starts, returns: *returns, points: &self.points, segments: &self.segments, darts }
+                .shape();
         let summary = &mut self.summary;
         if darts.len() < 3 {
             summary.degenerate_rings += 1;
@@ -244,83 +260,103 @@ impl Builder {
         Ok(())
     }
 
-    /// Adds the segments of a chain of points and records where each starts. A single point is an isolated vertex.
-    fn chain(&mut self, points: &[Point], at: Position, starts: &mut Vec<u32>) -> Result<(), BuildError> {
+    /// Adds the segments of a chain of points. A single point is an isolated vertex.
+    fn chain(&mut self, points: &[Point], at: Position, course: &mut Course) -> Result<(), BuildError> {
         let Some((first, rest)) = points.split_first() else { return Ok(()) };
-        let (mut from, mut last) = (self.vertex(*first, 0)?, 0);
+        let (mut from, mut last) = (self.vertex(*first, hash_of_point(*first), 0)?, 0);
         let mut steps = Vec::with_capacity(rest.len().min(LOOKED_UP));
+        let mut hashes = [0; LOOKED_UP];
         for (points, place) in rest.chunks(LOOKED_UP).zip((at.point..).step_by(LOOKED_UP)) {
-            self.walk(from, points, &mut steps)?;
-            for ((p, &Step { to, is_new }), point) in points.iter().zip(&steps).zip(place..) {
-                self.summary.segments += 1;
+            let hashes = &mut hashes[..points.len()];
+            self.walk(from, points, &mut steps, hashes)?;
+            for (i, Step { to, is_new }) in steps.drain(..).enumerate() {
                 if from == to {
                     self.summary.zero_length_segments += 1;
-                    let position = Position { point: point + 1, ..at };
-                    self.summary.list(self.summary.zero_length_segments, IrregularityKind::RepeatedPoint, position, *p);
+                    let position = Position { point: place + i + 1, ..at };
+                    let count = self.summary.zero_length_segments;
+                    self.summary.list(count, IrregularityKind::RepeatedPoint, position, points[i]);
                     continue;
                 }
-                let ends = ends(from, to);
-                // No segment leads to a new point yet.
-                let known = if is_new { None } else { self.known_segment(ends, last) };
-                self.summary.duplicate_segments += usize::from(known.is_some());
-                let number = known.map_or_else(|| self.new_segment(ends), Ok)?;
+                let number = self.segment_between(ends(from, to), hashes[i], is_new, last)?;
                 self.features.darts.push(number << 1 | u32::from(from > to));
+                course.starts.push((place + i) as u32);
+                course.returns |= core::mem::replace(&mut self.last_rings[from as usize], self.ring) == self.ring;
                 last = number;
-                starts.push(point as u32);
                 from = to;
             }
+            self.summary.segments += points.len();
         }
         Ok(())
     }
 
-    /// Finds or adds the vertices of points, and appends the steps of a chain that comes from `from`. Tables are prefetched:
-    /// waiting for memory at each lookup takes most of the time of large maps.
-    fn walk(&mut self, from: u32, points: &[Point], steps: &mut Vec<Step>) -> Result<(), BuildError> {
-        self.places.read_ahead(points.iter().map(|p| hash_of_point(without_sign_of_zero(*p))));
-        steps.clear();
-        let mut beside = from;
-        for p in points {
-            let before = self.points.len();
-            beside = self.vertex(*p, beside)?;
-            steps.push(Step { to: beside, is_new: self.points.len() > before });
+    /// Finds or adds the vertices of points, and appends the steps of a chain that comes from `from`, with the hashes of its
+    /// segments. Tables are prefetched: waiting for memory at each lookup takes most of the time of large maps.
+    fn walk(
+        &mut self,
+        from: u32,
+        points: &[Point],
+        steps: &mut Vec<Step>,
+        hashes: &mut [u64],
+    ) -> Result<(), BuildError> {
+        for (hash, p) in hashes.iter_mut().zip(points) {
+            *hash = hash_of_point(*p);
         }
-        let tails = core::iter::once(from).chain(steps.iter().map(|step| step.to));
-        self.segment_numbers.read_ahead(tails.zip(&*steps).map(|(tail, step)| hash_of_segment(ends(tail, step.to))));
+        self.places.read_ahead(hashes);
+        let mut beside = from;
+        for (hash, p) in hashes.iter_mut().zip(points) {
+            let before = self.points.len();
+            let to = self.vertex(*p, *hash, beside)?;
+            steps.push(Step { to, is_new: self.points.len() > before });
+            *hash = hash_of_segment(ends(beside, to));
+            beside = to;
+        }
+        self.segment_numbers.read_ahead(hashes);
         Ok(())
     }
 
     /// Returns the number of a segment, often adjacent to the given one, since borders are followed from both sides.
-    fn known_segment(&self, ends: [u32; 2], beside: u32) -> Option<u32> {
+    fn segment_between(&mut self, ends: [u32; 2], hash: u64, is_new: bool, beside: u32) -> Result<u32, BuildError> {
         let is = |number: u32| self.segments.get(number as usize) == Some(&ends);
-        let near = [beside + 1, beside.wrapping_sub(1)].into_iter().find(|number| is(*number));
-        near.or_else(|| self.segment_numbers.find(hash_of_segment(ends), is))
+        // No segment leads to a new point yet.
+        let near = |number: u32| Some(number).filter(|number| !is_new && is(*number));
+        let found = near(beside + 1).or_else(|| near(beside.wrapping_sub(1))).map_or_else(
+            || {
+                let room = self.segments.len() + 1;
+                self.segment_numbers.reserve(room, |number| hash_of_segment(self.segments[number as usize]));
+                self.segment_numbers.find(hash, is)
+            },
+            Ok,
+        );
+        self.summary.duplicate_segments += usize::from(found.is_ok());
+        found.or_else(|free| {
+            let number = self.segments.len() as u32;
+            if number >= 1 << 30 {
+                return Err(BuildError::Full(RecordKind::Edge));
+            }
+            self.segments.push(ends);
+            self.segment_numbers.fill(free, hash);
+            Ok(number)
+        })
     }
 
-    fn new_segment(&mut self, ends: [u32; 2]) -> Result<u32, BuildError> {
-        let number = self.segments.len() as u32;
-        if number >= 1 << 30 {
-            return Err(BuildError::Full(RecordKind::Edge));
-        }
-        self.segments.push(ends);
-        self.segment_numbers.extend(self.segments.len(), |number| hash_of_segment(self.segments[number as usize]));
-        Ok(number)
-    }
-
-    /// Returns the number of a point, often adjacent to the given one.
-    fn vertex(&mut self, p: Point, beside: u32) -> Result<u32, BuildError> {
-        let p = without_sign_of_zero(p);
+    /// Returns the number of a point with this hash, often adjacent to the given one.
+    fn vertex(&mut self, p: Point, hash: u64, beside: u32) -> Result<u32, BuildError> {
         let is = |number: u32| self.points.get(number as usize) == Some(&p);
-        let near = [beside + 1, beside.wrapping_sub(1)].into_iter().find(|number| is(*number));
-        if let Some(known) = near.or_else(|| self.places.find(hash_of_point(p), is)) {
+        let near = |number: u32| Some(number).filter(|number| is(*number));
+        if let Some(known) = near(beside + 1).or_else(|| near(beside.wrapping_sub(1))) {
             return Ok(known);
         }
-        let number = self.points.len() as u32;
-        if number >= 1 << 30 {
-            return Err(BuildError::Full(RecordKind::Vertex));
-        }
-        self.points.push(p);
-        self.places.extend(self.points.len(), |number| hash_of_point(self.points[number as usize]));
-        Ok(number)
+        self.places.reserve(self.points.len() + 1, |number| hash_of_point(self.points[number as usize]));
+        self.places.find(hash, is).or_else(|free| {
+            let number = self.points.len() as u32;
+            if number >= 1 << 30 {
+                return Err(BuildError::Full(RecordKind::Vertex));
+            }
+            self.points.push(without_sign_of_zero(p));
+            self.places.fill(free, hash);
+            self.last_rings.push(self.ring.wrapping_sub(1));
+            Ok(number)
+        })
     }
 
     /// Builds the map from the segments as they are, [`Noding::None`]. O(n log n).
@@ -357,8 +393,8 @@ impl Builder {
     /// [`BuildError::Full`]; with [`Noding::Exact`], [`BuildError::Crossing`]; with [`Noding::Snap`],
     /// [`BuildError::CellSize`], [`BuildError::OutOfReach`] and [`BuildError::TooManyCuts`].
     pub fn build_with(self, noding: Noding) -> Result<PlanarMap, BuildError> {
-        let Self { points, places, segments, segment_numbers, mut features, summary, cuts } = self;
-        drop((places, segment_numbers));
+        let Self { points, places, segments, segment_numbers, last_rings, mut features, summary, cuts, .. } = self;
+        drop((places, segment_numbers, last_rings));
         // A plane drawing needs no cuts.
         let plane = if noding == Noding::Exact { Some(Placement::new(&points, &segments)?) } else { None };
         let plane = plane.filter(|swept| swept.clash.is_none());
@@ -406,8 +442,8 @@ impl Builder {
     /// # Errors
     /// [`BuildError::Full`].
     pub fn build_keeping(self) -> Result<(PlanarMap, Option<Self>), BuildError> {
-        let Self { points, places, segments, segment_numbers, mut features, summary, cuts } = self;
-        drop((places, segment_numbers));
+        let Self { points, places, segments, segment_numbers, last_rings, mut features, summary, cuts, .. } = self;
+        drop((places, segment_numbers, last_rings));
         let map = assembled(&points, &segments, &mut features, None, |_| Ok(()))?;
         if map.is_plane() {
             return Ok((PlanarMap { summary, points: points_by_vertex(points), ..map }, None));
@@ -428,7 +464,9 @@ fn ends(from: u32, to: u32) -> [u32; 2] {
     [from.min(to), from.max(to)]
 }
 
+/// Returns a hash of a point. −0 counts as 0.
 fn hash_of_point(p: Point) -> u64 {
+    let p = without_sign_of_zero(p);
     hash([p.x.to_bits(), p.y.to_bits()])
 }
 

@@ -54,20 +54,19 @@ pub(super) fn cover(dcel: &Dcel, segments: usize, gathered: &GatheredFeatures) -
     let mut sets = FeatureSets::default();
     let singles: Vec<SetId> = (0..names.len() as u32).map(|feature| sets.single(FeatureId::new(feature))).collect();
     // Neighbours mostly have the same features.
-    let (mut features, mut last) = (Vec::new(), (Vec::new(), SetId::default()));
+    let (mut features, mut last, mut set) = (Vec::new(), &[][..], SetId::default());
     for segment in 0..segments {
-        features.clear();
-        features.extend(uses.of(segment).iter().map(|part| parts[*part as usize].feature));
-        features.dedup();
-        if features.is_empty() {
-            continue;
-        }
-        if features != last.0 {
-            last.0.clone_from(&features);
+        let uses = uses.of(segment);
+        if uses != last {
+            features.clear();
+            features.extend(uses.iter().map(|part| parts[*part as usize].feature));
+            features.dedup();
             let either = |set, feature: &u32| sets.either(set, singles[*feature as usize]);
-            last.1 = features.iter().fold(SetId::default(), either);
+            (last, set) = (uses, features.iter().fold(SetId::default(), either));
         }
-        sets.put_along(first_half_edge(segment), last.1);
+        if !uses.is_empty() {
+            sets.put_along(first_half_edge(segment), set);
+        }
     }
     walk(dcel, &uses, parts, &mut sets, &singles);
     sets

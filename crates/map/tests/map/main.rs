@@ -44,6 +44,7 @@ mod location;
 mod noding;
 mod planar_map;
 mod rewound;
+mod rings;
 mod saved;
 #[cfg(debug_assertions)]
 mod sorting;

@@ -6,7 +6,7 @@ use crate::noding::pixel::{Block, Pixel};
 const TILES: u32 = if cfg!(test) { 1 } else { 6 };
 
 /// The intended number of segments per tile, if the number of tiles permits.
-const FULL: usize = 4;
+const FULL: usize = 2;
 
 fn longer(block: &Block) -> usize {
     usize::from(block.high[1] - block.low[1] > block.high[0] - block.low[0])
