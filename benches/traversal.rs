@@ -21,6 +21,16 @@ fn face_loops(dcel: &Dcel) -> usize {
     sum
 }
 
+fn face_half_edges(dcel: &Dcel) -> usize {
+    let mut sum = 0;
+    for face in dcel.faces().filter(|face| !face.is_unbounded()) {
+        for h in face.half_edges() {
+            sum += h.origin().index();
+        }
+    }
+    sum
+}
+
 fn face_loops_plain(plain: &PlainArrays) -> usize {
     let mut sum = 0;
     for &start in &plain.outer {
@@ -72,12 +82,14 @@ fn traversal(criterion: &mut Criterion) {
     let dcel = map.dcel();
     let plain = PlainArrays::of(dcel);
     assert_eq!(face_loops(dcel), face_loops_plain(&plain));
+    assert_eq!(face_half_edges(dcel), face_loops_plain(&plain));
     assert_eq!(rotations(dcel), rotations_plain(&plain));
 
     let mut group = criterion.benchmark_group("face loops");
     group.throughput(Throughput::Elements(dcel.half_edge_count() as u64));
     group.bench_function("plain u32 arrays", |b| b.iter(|| face_loops_plain(black_box(&plain))));
     group.bench_function("twinedge", |b| b.iter(|| face_loops(black_box(dcel))));
+    group.bench_function("Face::half_edges", |b| b.iter(|| face_half_edges(black_box(dcel))));
     group.finish();
 
     let mut group = criterion.benchmark_group("rotations");

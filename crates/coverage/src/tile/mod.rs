@@ -56,7 +56,8 @@
 //! findings. With islands in a sea, it contains all coasts, since each may have a near miss.
 //!
 //! Equal tiles have equal summaries, independent of the order of merging: classes are numbered as the borders first name them,
-//! and lists are sorted. With the feature `serde` any deterministic format saves them as equal bytes, and loading validates them.
+//! and lists are sorted. A [`Portion`] has what tiles were made of besides, and with the feature `serde` it is saved as bytes, equal
+//! ones for equal tiles.
 //!
 //! # Exactness
 //!
