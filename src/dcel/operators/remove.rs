@@ -120,12 +120,12 @@ impl Dcel {
         };
         self.follow(move |dcel| dcel.steps_to_remove_edge(n, Some([kept_face, dropped_face])))?;
         // Read before the walks, so that these records are fetched while the half-edges are.
-        let [kept_key, dropped_key] = [kept_face, dropped_face].map(|f| self.store.face_key(f));
-        let [bn_key, bt_key] = [bn, bt].map(|b| self.store.boundary_key(b));
+        let faces = [kept_face, dropped_face].map(|f| self.store.face_key(f));
+        let [bn, bt] = [bn, bt].map(|b| (b, self.store.boundary_key(b)));
         let shorter = self.shorter_or_second((Some(n), before_n), (Some(t), before_t));
-        let (kept, dropped, first, last, keys) = match shorter {
-            OneOfTwo::First => (bt, bn, n, before_n, [bt_key, bn_key]),
-            OneOfTwo::Second => (bn, bt, t, before_t, [bn_key, bt_key]),
+        let ((kept, kept_key), (dropped, dropped_key), first, last) = match shorter {
+            OneOfTwo::First => (bt, bn, n, before_n),
+            OneOfTwo::Second => (bn, bt, t, before_t),
         };
         self.relabel(first, last, kept);
 
@@ -164,12 +164,11 @@ impl Dcel {
             self.store.unlist(b);
             self.store.list_inner(kept_face, b);
         }
-        let merged =
-            RemovedEdge::Merged { kept_face: kept_key, dropped_face: dropped_key, kept: keys[0], dropped: keys[1] };
         self.store.remove_boundary(dropped);
         self.store.remove_face(dropped_face);
         self.store.remove_edge(n);
-        Ok(merged)
+        let [kept_face, dropped_face] = faces;
+        Ok(RemovedEdge::Merged { kept_face, dropped_face, kept: kept_key, dropped: dropped_key })
     }
 
     fn part(&mut self, around: &Neighbourhood<HalfEdgeSlot>) -> RemovedEdge {
