@@ -56,13 +56,13 @@ impl<V: View + ?Sized> Check<'_, V> {
     /// rows at once.
     fn note_written(&mut self) {
         let WriteSet { vertices, half_edges, boundaries, faces, .. } = self.written;
-        half_edges.iter().for_each(|h| self.diff.half_edges.note(*h));
-        vertices.iter().for_each(|v| self.diff.vertices.note(*v));
+        self.diff.half_edges.note_all(half_edges);
+        self.diff.vertices.note_all(vertices);
         if self.now.has(Part::BoundaryComponents) {
-            boundaries.iter().for_each(|b| self.diff.labels.note(*b));
-            faces.iter().for_each(|f| self.diff.faces.note(*f));
+            self.diff.labels.note_all(boundaries);
+            self.diff.faces.note_all(faces);
         } else {
-            faces.iter().for_each(|f| self.diff.labels.note(*f));
+            self.diff.labels.note_all(faces);
         }
     }
 
