@@ -5,6 +5,8 @@
 //! - `islands`: squares in an ocean, 10 of them and 4,000. Per edge, building costs the same, and so does cutting an
 //!   island in two and joining it again. A drawing in the ocean costs more, since it is compared with all of its coast.
 //! - `at random places`: topological operators on a grid that is larger than the caches.
+//! - `pairs of triangles`: a triangulated grid of 400 × 400 vertices; edges between disjoint pairs of triangles are removed in random
+//!   order, and the corners connected again in another order. `peers.cpp` does the same with CGAL.
 //! - `a point in and out`, `a bridge in and out`: between 1,000 and 100,000 islands, at a hub with that many edges, in
 //!   a ring of half as many; against a square in an otherwise empty map. The index exists.
 //!
@@ -13,8 +15,9 @@
 mod common;
 
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
+use std::collections::HashSet;
 use std::hint::black_box;
-use twinedge::dcel::{HalfEdge, HalfEdgeKey};
+use twinedge::dcel::{Dcel, HalfEdge, HalfEdgeKey, Split};
 use twinedge::program::choose::{Choose, Random};
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::{Snap, node};
@@ -225,6 +228,62 @@ fn operators(criterion: &mut Criterion) {
     group.finish();
 }
 
+fn shuffle<T>(all: &mut [T], random: &mut Random) {
+    for i in (1..all.len()).rev() {
+        all.swap(i, random.choose(i + 1));
+    }
+}
+
+/// Edges between disjoint pairs of bounded faces, in random order.
+fn disjoint_pairs(dcel: &Dcel, random: &mut Random) -> Vec<HalfEdgeKey> {
+    let mut edges: Vec<HalfEdgeKey> = dcel.edges().map(HalfEdge::key).collect();
+    shuffle(&mut edges, random);
+    let mut used = HashSet::from([dcel.unbounded_face().key()]);
+    edges.retain(|h| {
+        let h = dcel.half_edge(*h).expect("of this map");
+        let faces = [h.face().key(), h.twin().face().key()];
+        let is_free = faces.iter().all(|face| !used.contains(face));
+        if is_free {
+            used.extend(faces);
+        }
+        is_free
+    });
+    edges
+}
+
+fn pairs_of_triangles(criterion: &mut Criterion) {
+    let dcel = common::triangulated_grid(400).dcel().clone();
+    let mut random = Random::seeded(1);
+    let edges = disjoint_pairs(&dcel, &mut random);
+    let corners = |h: &HalfEdgeKey| {
+        let h = dcel.half_edge(*h).expect("of this map");
+        [h.twin().next().key(), h.next().key()]
+    };
+    let mut corners: Vec<[HalfEdgeKey; 2]> = edges.iter().map(corners).collect();
+    shuffle(&mut corners, &mut random);
+    let remove = |dcel: &mut Dcel| {
+        for h in &edges {
+            let _ = black_box(dcel.remove_edge(*h));
+        }
+    };
+    let mut group = criterion.benchmark_group("pairs of triangles");
+    group.sample_size(10);
+    group.throughput(Throughput::Elements(edges.len() as u64));
+    group.bench_function("remove_edge", |b| b.iter_batched_ref(|| dcel.clone(), remove, BatchSize::LargeInput));
+    let parted = || {
+        let mut dcel = dcel.clone();
+        remove(&mut dcel);
+        dcel
+    };
+    let connect = |dcel: &mut Dcel| {
+        for [from, to] in &corners {
+            let _ = black_box(dcel.connect(*from, *to, Split::default()));
+        }
+    };
+    group.bench_function("connect", |b| b.iter_batched_ref(parted, connect, BatchSize::LargeInput));
+    group.finish();
+}
+
 /// Times points and bridges, drawn and erased again: ends of bridges, and points near half-edges.
 fn in_and_out(criterion: &mut Criterion, name: &str, map: &mut PlanarMap, bridges: &[[At; 2]], points: &[At]) {
     let mut which = bridges.iter().cycle();
@@ -304,5 +363,5 @@ fn crowds(criterion: &mut Criterion) {
     in_and_out(criterion, "a square alone", &mut map, &bridges, &[hint]);
 }
 
-criterion_group!(benches, world, islands, operators, crowds);
+criterion_group!(benches, world, islands, operators, pairs_of_triangles, crowds);
 criterion_main!(benches);

@@ -111,7 +111,7 @@ impl<D: Auditable> Audited<D> {
         self.is_right = false;
         let token = self.token;
         if self.structure.dcel().store.log.get().is_some_and(|log| log.token() == token) {
-            self.written.extend(self.structure.take_written());
+            self.structure.take_written(&mut self.written);
             self.structure.check_near(&mut self.baseline, &self.written)?;
         } else {
             self.written.clear();

@@ -232,7 +232,9 @@ impl<D: Recorder> History<D> {
     #[must_use]
     pub fn written(&self) -> WriteSet {
         let [start, end] = self.last;
-        self.structure.written_by(start[0]..end[0], &self.others[start[1]..end[1]])
+        let mut written = WriteSet::default();
+        self.structure.add_written_by(start[0]..end[0], &self.others[start[1]..end[1]], &mut written);
+        written
     }
 
     /// Forgets all undone changes, and all but the last `keep` of the others. Reuses their memory. O(size of the logs).

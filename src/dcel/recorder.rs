@@ -121,7 +121,11 @@ impl Dcel {
     #[must_use]
     pub fn written_since(&self, place: LogPlace) -> WriteSet {
         let log = self.store.log.get().filter(|log| log.token() == place.token && place.entries <= log.entries.len());
-        log.map(|log| self.store.written(place.entries..log.entries.len())).unwrap_or_default()
+        let mut written = WriteSet::default();
+        if let Some(log) = log {
+            self.store.add_written(place.entries..log.entries.len(), &mut written);
+        }
+        written
     }
 
     /// Returns the rewrite that permanently undoes the changes since a position in the log. O(1).
@@ -163,22 +167,21 @@ pub(super) trait Logged: Recorder {
         self.rewrite(Rewrite { part, way, token, forgets: false }, others);
     }
 
-    fn written_by(&self, part: Range<usize>, others: &[Self::Other]) -> WriteSet {
-        let mut written = self.dcel().store.written(part);
-        self.add_written(&mut written, others);
-        written
+    /// Adds the records written by a part of the log and other values.
+    fn add_written_by(&self, part: Range<usize>, others: &[Self::Other], written: &mut WriteSet) {
+        self.dcel().store.add_written(part, written);
+        self.add_written(written, others);
     }
 
-    /// Takes the records written since the logs were begun or last taken.
-    fn take_written(&mut self) -> WriteSet {
+    /// Takes the records written since the logs were begun or last taken, adding them to `written`.
+    fn take_written(&mut self, written: &mut WriteSet) {
         let others = self.others();
         let links = self.dcel().store.log.get().map_or(0, |log| log.entries.len());
-        let written = self.written_by(0..links, &others);
+        self.add_written_by(0..links, &others, written);
         if let Some(log) = self.links().store.log.get_mut() {
             log.entries.clear();
             log.begin_change();
         }
-        written
     }
 }
 

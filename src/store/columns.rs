@@ -147,41 +147,47 @@ pub(super) const fn start_bits(start: BoundaryStart<HalfEdgeSlot, VertexSlot>) -
     }
 }
 
+/// The links of a boundary component, together because operators read and write them together.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct BoundaryRow {
+    pub(super) face: FaceSlot,
+    pub(super) start: u32,
+    pub(super) place: u32,
+}
+
+impl BoundaryRow {
+    pub(super) const UNUSED: Self = Self { face: FaceSlot(NIL), start: NIL, place: UNLISTED };
+}
+
+/// The links of a face, together for the same reason.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct FaceRow {
+    /// The half-edge where the outer boundary component starts, as in the textbooks, for most walks around faces. The
+    /// boundary component is found through it.
+    pub(super) outer: u32,
+    /// The list of inner boundary components: no entry, its only entry, or (high bit) the number of a list.
+    pub(super) inner: BoundarySlot,
+}
+
+impl FaceRow {
+    pub(super) const EMPTY: Self = Self { outer: NIL, inner: NONE };
+}
+
 /// The entry of an empty list.
 const NONE: BoundarySlot = BoundarySlot(NIL);
 
-/// The list of each face, by slot. Most lists are empty and most others have one entry; only longer ones are on the
-/// heap.
+/// The longer lists of inner boundary components. Most faces have none, and most others have one, stored in the face.
 #[derive(Clone, Debug, Default)]
 pub(super) struct InnerLists {
-    /// Per face: no entry, its only entry, or (high bit) the number of its list.
-    faces: Vec<BoundarySlot>,
     lists: Vec<Vec<BoundarySlot>>,
     /// The unused lists, which are empty.
     free: Vec<u32>,
 }
 
 impl InnerLists {
-    pub(super) const fn new(faces: Vec<BoundarySlot>) -> Self {
-        Self { faces, lists: Vec::new(), free: Vec::new() }
-    }
-
-    pub(super) const fn unused() -> BoundarySlot {
-        NONE
-    }
-
-    /// Adds faces with empty lists up to this number of slots.
-    pub(super) fn resize(&mut self, faces: usize) {
-        self.faces.resize(faces, NONE);
-    }
-
-    pub(super) fn add(&mut self, face: u32) {
-        put(&mut self.faces, face, NONE);
-    }
-
+    /// The list of a face with this entry.
     #[inline]
-    pub(super) fn of(&self, face: u32) -> &[BoundarySlot] {
-        let entry = &self.faces[face as usize];
+    pub(super) fn of<'a>(&'a self, entry: &'a BoundarySlot) -> &'a [BoundarySlot] {
         if *entry == NONE {
             &[]
         } else if entry.0 & OTHER == 0 {
@@ -191,9 +197,8 @@ impl InnerLists {
         }
     }
 
-    /// Appends an entry to the list of a face. O(1), amortised.
-    pub(super) fn push(&mut self, face: u32, b: BoundarySlot) {
-        let entry = &mut self.faces[face as usize];
+    /// Appends `b` to the list of a face. O(1), amortised.
+    pub(super) fn push(&mut self, entry: &mut BoundarySlot, b: BoundarySlot) {
         if *entry == NONE {
             *entry = b;
         } else if entry.0 & OTHER == 0 {
@@ -208,9 +213,8 @@ impl InnerLists {
         }
     }
 
-    /// Removes an entry from the list of a face, and returns the entry that takes its place, previously the last. O(1).
-    pub(super) fn swap_remove(&mut self, face: u32, place: u32) -> Option<BoundarySlot> {
-        let entry = &mut self.faces[face as usize];
+    /// Removes a place from the list of a face, and returns the boundary component that takes it, previously the last. O(1).
+    pub(super) fn swap_remove(&mut self, entry: &mut BoundarySlot, place: u32) -> Option<BoundarySlot> {
         if entry.0 & OTHER == 0 {
             *entry = NONE;
             return None;
@@ -226,15 +230,15 @@ impl InnerLists {
         }
         list.get(place as usize).copied()
     }
-    pub(super) fn pop(&mut self, face: u32) {
-        let last = self.of(face).len().saturating_sub(1);
-        self.swap_remove(face, last as u32);
+
+    pub(super) fn pop(&mut self, entry: &mut BoundarySlot) {
+        let last = self.of(entry).len().saturating_sub(1);
+        self.swap_remove(entry, last as u32);
     }
 
     /// Undoes a [`swap_remove`](Self::swap_remove). O(1), amortised.
-    pub(super) fn put_back(&mut self, face: u32, place: u32, b: BoundarySlot) {
-        self.push(face, b);
-        let entry = self.faces[face as usize];
+    pub(super) fn put_back(&mut self, entry: &mut BoundarySlot, place: u32, b: BoundarySlot) {
+        self.push(entry, b);
         let list = if entry.0 & OTHER == 0 { None } else { self.lists.get_mut((entry.0 ^ OTHER) as usize) };
         if let Some(list) = list {
             let last = list.len() - 1;

@@ -7,7 +7,8 @@
 //!                              prev     [· ·][· ·]…   and L1 holds by construction
 //!                              boundary [· ·][· ·]…
 //!   vertices       [v1][v2]…   link     [·][·]…       a half-edge, or (high bit) a boundary component
-//!   …
+//!   boundaries     [b1][b2]…   row      [···][···]…   face, start and place together: operators use all of them, at places that
+//!   faces          [f1][f2]…   row      [··][··]…     are not in the cache; so also the outer half-edge and the inner list
 //! ```
 //!
 //! Bytes per record, including keys: 36 per edge, 8 per vertex, 16 per boundary component, 12 per face; 4 more for each inner

@@ -1,6 +1,6 @@
 //! Creates all records of a structure at once: in order, or in the slots of a saved structure.
 
-use super::columns::{BoundarySlot, FaceSlot, HalfEdgeSlot, RecordKind, Room, UNLISTED, VertexSlot};
+use super::columns::{BoundaryRow, BoundarySlot, FaceRow, FaceSlot, HalfEdgeSlot, RecordKind, Room, VertexSlot};
 #[cfg(feature = "serde")]
 use super::columns::{MOST, MOST_EDGES, VACANT};
 #[cfg(feature = "serde")]
@@ -100,12 +100,8 @@ impl Store {
         self.prev.resize(half_edges, NIL);
         self.boundary.resize(half_edges, NIL);
         self.vertex_link.resize(self.vertices.end(), NIL);
-        let boundaries = self.boundaries.end();
-        self.boundary_face.resize(boundaries, FaceSlot(NIL));
-        self.start.resize(boundaries, NIL);
-        self.place.resize(boundaries, UNLISTED);
-        self.outer.resize(self.faces.end(), NIL);
-        self.inner.resize(self.faces.end());
+        self.boundary_rows.resize(self.boundaries.end(), BoundaryRow::UNUSED);
+        self.face_rows.resize(self.faces.end(), FaceRow::EMPTY);
     }
 }
 
@@ -161,7 +157,7 @@ impl Store {
         store.unbounded = FaceSlot(*live.faces.first()?);
         store.fill_columns();
         for f in vacant_faces {
-            store.outer[f] = VACANT;
+            store.face_rows[f].outer = VACANT;
         }
         let slots = SavedSlots {
             vertices: live.vertices.iter().copied().map(VertexSlot).collect(),

@@ -1,7 +1,7 @@
 //! Writes the log of a store, and replays it for undo and redo.
 
 use super::columns::RecordKind;
-use super::columns::{BoundarySlot, MOST};
+use super::columns::{BoundaryRow, BoundarySlot, FaceSlot, MOST};
 use super::issuer::Issuer;
 use super::keys::{FaceKey, HalfEdgeKey, VertexKey, key};
 use super::log::{Entry, KINDS, Way, Written};
@@ -38,9 +38,8 @@ impl Store {
         self.log.0 = Some(log);
     }
 
-    /// Returns the records written by a part of the log, in either direction. O(entries).
-    pub(crate) fn written(&self, part: Range<usize>) -> WriteSet {
-        let mut written = WriteSet::default();
+    /// Adds the records written by a part of the log, in either direction. O(entries).
+    pub(crate) fn add_written(&self, part: Range<usize>, written: &mut WriteSet) {
         for entry in self.log.get().map_or(&[][..], |log| &log.entries[part]) {
             let slot = entry.slot as usize;
             match entry.written {
@@ -52,14 +51,12 @@ impl Store {
                 Written::Place => {
                     written.boundaries.push(slot);
                     // A list entry changes only if a boundary component changes its place.
-                    if self.boundaries.is_live(entry.slot) && (self.place[slot] as usize) < MOST {
-                        written.listed.push((self.boundary_face[slot].0 as usize, self.place[slot] as usize));
-                    }
+                    written.listed.extend(self.listed(entry.slot));
                 }
                 Written::Outer => {
                     written.faces.push(slot);
                     // The face is now another region. One component that lies in it is enough to check, without a full validation.
-                    written.boundaries.extend(self.inner.of(entry.slot).last().map(|b| b.index()));
+                    written.boundaries.extend(self.inner_list(FaceSlot(entry.slot)).last().map(|b| b.index()));
                 }
                 Written::New(kind) | Written::Issued(kind) | Written::Retired(kind) => match kind {
                     RecordKind::Vertex => written.vertices.push(slot),
@@ -69,18 +66,20 @@ impl Store {
                 },
                 Written::Listed | Written::Unlisted => {
                     written.faces.push(slot);
-                    let b = entry.number as usize;
-                    written.boundaries.push(b);
-                    if entry.written == Written::Listed
-                        && self.boundaries.is_live(entry.number)
-                        && (self.place[b] as usize) < MOST
-                    {
-                        written.listed.push((self.boundary_face[b].0 as usize, self.place[b] as usize));
+                    written.boundaries.push(entry.number as usize);
+                    if entry.written == Written::Listed {
+                        written.listed.extend(self.listed(entry.number));
                     }
                 }
             }
         }
-        written
+    }
+
+    /// The face and the place of a boundary component that may be in a list.
+    fn listed(&self, b: u32) -> Option<(usize, usize)> {
+        let BoundaryRow { face, place, .. } = self.boundary_rows[b as usize];
+        let is_listed = self.boundaries.is_live(b) && (place as usize) < MOST;
+        is_listed.then_some((face.index(), place as usize))
     }
 
     #[inline]
@@ -209,10 +208,10 @@ impl Store {
             Written::Prev => self.prev.get_mut(i),
             Written::Boundary => self.boundary.get_mut(i),
             Written::VertexLink => self.vertex_link.get_mut(i),
-            Written::BoundaryFace => self.boundary_face.get_mut(i).map(|f| &mut f.0),
-            Written::Start => self.start.get_mut(i),
-            Written::Place => self.place.get_mut(i),
-            Written::Outer => self.outer.get_mut(i),
+            Written::BoundaryFace => self.boundary_rows.get_mut(i).map(|row| &mut row.face.0),
+            Written::Start => self.boundary_rows.get_mut(i).map(|row| &mut row.start),
+            Written::Place => self.boundary_rows.get_mut(i).map(|row| &mut row.place),
+            Written::Outer => self.face_rows.get_mut(i).map(|row| &mut row.outer),
             _ => None,
         }
     }
@@ -224,8 +223,11 @@ impl Store {
         match written {
             Written::New(kind) => self.issuer_mut(*kind).forget_last(),
             Written::Issued(kind) | Written::Retired(kind) => self.issuer_mut(*kind).exchange(*slot, number),
-            Written::Listed => self.inner.pop(*slot),
-            Written::Unlisted => self.inner.put_back(*slot, self.place[*number as usize], BoundarySlot(*number)),
+            Written::Listed => self.inner.pop(&mut self.face_rows[*slot as usize].inner),
+            Written::Unlisted => {
+                let place = self.boundary_rows[*number as usize].place;
+                self.inner.put_back(&mut self.face_rows[*slot as usize].inner, place, BoundarySlot(*number));
+            }
             _ => {}
         }
     }
@@ -237,9 +239,10 @@ impl Store {
         match written {
             Written::New(kind) => self.issuer_mut(*kind).issue_last(*number),
             Written::Issued(kind) | Written::Retired(kind) => self.issuer_mut(*kind).exchange(*slot, number),
-            Written::Listed => self.inner.push(*slot, BoundarySlot(*number)),
+            Written::Listed => self.inner.push(&mut self.face_rows[*slot as usize].inner, BoundarySlot(*number)),
             Written::Unlisted => {
-                self.inner.swap_remove(*slot, self.place[*number as usize]);
+                let place = self.boundary_rows[*number as usize].place;
+                self.inner.swap_remove(&mut self.face_rows[*slot as usize].inner, place);
             }
             _ => {}
         }

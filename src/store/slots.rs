@@ -2,8 +2,8 @@
 
 use super::attributes::Attributes;
 use super::columns::{
-    BoundarySlot, BoundaryStart, FaceSlot, HalfEdgeSlot, InnerLists, MOST, MOST_EDGES, OTHER, OUTER, RecordKind, Room,
-    UNLISTED, VACANT, VertexLink, VertexSlot, column, put, start_bits, vertex_link_bits,
+    BoundaryRow, BoundarySlot, BoundaryStart, FaceRow, FaceSlot, HalfEdgeSlot, InnerLists, MOST, MOST_EDGES, OTHER,
+    OUTER, RecordKind, Room, UNLISTED, VACANT, VertexLink, VertexSlot, column, put, start_bits, vertex_link_bits,
 };
 use super::issuer::{Issuer, structure_offset};
 use super::keys::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey, key, parts};
@@ -26,14 +26,10 @@ pub(crate) struct Store {
     pub(super) vertex_link: Vec<u32>,
 
     pub(super) boundaries: Issuer,
-    pub(super) boundary_face: Vec<FaceSlot>,
-    pub(super) start: Vec<u32>,
-    pub(super) place: Vec<u32>,
+    pub(super) boundary_rows: Vec<BoundaryRow>,
 
     pub(super) faces: Issuer,
-    /// The half-edge where the outer boundary component starts, as in the textbooks, for most walks around faces. The
-    /// boundary component is found through it.
-    pub(super) outer: Vec<u32>,
+    pub(super) face_rows: Vec<FaceRow>,
     pub(super) inner: InnerLists,
     pub(super) unbounded: FaceSlot,
 
@@ -92,12 +88,10 @@ impl Store {
             vertices: Issuer::with_room(need.vertices, offset),
             vertex_link: column(need.vertices, NIL, 1),
             boundaries: Issuer::with_room(need.boundaries, offset),
-            boundary_face: column(need.boundaries, FaceSlot(NIL), 1),
-            start: column(need.boundaries, NIL, 1),
-            place: column(need.boundaries, NIL, 1),
+            boundary_rows: column(need.boundaries, BoundaryRow::UNUSED, 1),
             faces: Issuer::with_room(faces, offset),
-            outer: column(faces, VACANT, 1),
-            inner: InnerLists::new(column(faces, InnerLists::unused(), 1)),
+            face_rows: column(faces, FaceRow { outer: VACANT, ..FaceRow::EMPTY }, 1),
+            inner: InnerLists::default(),
             unbounded: FaceSlot(NIL),
             most: Room { vertices: MOST, edges: MOST_EDGES, boundaries: MOST, faces: MOST },
             attributes: None,
@@ -118,16 +112,19 @@ impl Store {
     }
 
     /// Checks that these additional records fit; the error is the first kind that does not.
+    #[inline]
     pub(crate) fn room_for(&self, more: Room) -> Result<(), RecordKind> {
-        let checks = [
-            (RecordKind::Vertex, self.vertices.len(), more.vertices, self.most.vertices),
-            (RecordKind::Edge, self.edges.len(), more.edges, self.most.edges),
-            (RecordKind::Boundary, self.boundaries.len(), more.boundaries, self.most.boundaries),
-            (RecordKind::Face, self.faces.len(), more.faces, self.most.faces),
-        ];
-        match checks.into_iter().find(|(_, count, more, most)| count.saturating_add(*more) > *most) {
-            Some((kind, ..)) => Err(kind),
-            None => Ok(()),
+        let fits = |count: usize, more: usize, most: usize| more == 0 || count.saturating_add(more) <= most;
+        if !fits(self.vertices.len(), more.vertices, self.most.vertices) {
+            Err(RecordKind::Vertex)
+        } else if !fits(self.edges.len(), more.edges, self.most.edges) {
+            Err(RecordKind::Edge)
+        } else if !fits(self.boundaries.len(), more.boundaries, self.most.boundaries) {
+            Err(RecordKind::Boundary)
+        } else if !fits(self.faces.len(), more.faces, self.most.faces) {
+            Err(RecordKind::Face)
+        } else {
+            Ok(())
         }
     }
 
@@ -223,8 +220,8 @@ impl Store {
 
     #[inline]
     pub(crate) fn face_at(&self, index: usize) -> Option<FaceSlot> {
-        let outer = *self.outer.get(index)?;
-        (outer != VACANT).then_some(FaceSlot(index as u32))
+        let row = self.face_rows.get(index)?;
+        (row.outer != VACANT).then_some(FaceSlot(index as u32))
     }
 
     pub(crate) fn half_edge_columns(&self) -> HalfEdgeColumns<'_> {
@@ -279,10 +276,9 @@ impl Store {
         let v = VertexSlot(self.vertices.issue());
         let b = BoundarySlot(self.boundaries.issue());
         put(&mut self.vertex_link, v.0, vertex_link_bits(VertexLink::Isolated(b)));
-        put(&mut self.boundary_face, b.0, f);
-        put(&mut self.start, b.0, start_bits(BoundaryStart::Vertex(v)));
-        put(&mut self.place, b.0, self.inner.of(f.0).len() as u32);
-        self.inner.push(f.0, b);
+        let place = self.inner_count(f) as u32;
+        put(&mut self.boundary_rows, b.0, BoundaryRow { face: f, start: start_bits(BoundaryStart::Vertex(v)), place });
+        self.inner.push(&mut self.face_rows[f.index()].inner, b);
         self.note_issued(RecordKind::Vertex, v.0);
         self.note_issued(RecordKind::Boundary, b.0);
         self.note(Written::Listed, f.0, b.0);
@@ -308,9 +304,7 @@ impl Store {
     pub(crate) fn add_boundary(&mut self, f: FaceSlot, start: BoundaryStart<HalfEdgeSlot, VertexSlot>) -> BoundarySlot {
         self.save_vacant(RecordKind::Boundary);
         let slot = self.boundaries.issue();
-        put(&mut self.boundary_face, slot, f);
-        put(&mut self.start, slot, start_bits(start));
-        put(&mut self.place, slot, UNLISTED);
+        put(&mut self.boundary_rows, slot, BoundaryRow { face: f, start: start_bits(start), place: UNLISTED });
         self.note_issued(RecordKind::Boundary, slot);
         BoundarySlot(slot)
     }
@@ -318,8 +312,7 @@ impl Store {
     /// Adds a face without boundary components.
     pub(crate) fn add_face(&mut self) -> FaceSlot {
         let slot = self.faces.issue();
-        put(&mut self.outer, slot, NIL);
-        self.inner.add(slot);
+        put(&mut self.face_rows, slot, FaceRow::EMPTY);
         self.note_issued(RecordKind::Face, slot);
         self.note(Written::Outer, slot, VACANT);
         FaceSlot(slot)
@@ -347,11 +340,11 @@ impl Store {
 
     /// Removes a boundary component that no face lists.
     pub(crate) fn remove_boundary(&mut self, b: BoundarySlot) {
-        let i = b.index();
+        let row = self.boundary_rows[b.index()];
         self.note_all([
-            (Written::Start, b.0, self.start[i]),
-            (Written::BoundaryFace, b.0, self.boundary_face[i].0),
-            (Written::Place, b.0, self.place[i]),
+            (Written::Start, b.0, row.start),
+            (Written::BoundaryFace, b.0, row.face.0),
+            (Written::Place, b.0, row.place),
         ]);
         self.note_retired(RecordKind::Boundary, b.0);
         self.boundaries.retire(b.0);
@@ -359,9 +352,9 @@ impl Store {
 
     /// Removes a face without inner boundary components.
     pub(crate) fn remove_face(&mut self, f: FaceSlot) {
-        self.note(Written::Outer, f.0, self.outer[f.index()]);
+        self.note(Written::Outer, f.0, self.face_rows[f.index()].outer);
         self.note_retired(RecordKind::Face, f.0);
-        self.outer[f.index()] = VACANT;
+        self.face_rows[f.index()].outer = VACANT;
         self.faces.retire(f.0);
     }
 
@@ -403,12 +396,12 @@ impl Store {
 
     #[inline]
     pub(crate) fn face(&self, b: BoundarySlot) -> FaceSlot {
-        self.boundary_face[b.index()]
+        self.boundary_rows[b.index()].face
     }
 
     #[inline]
     pub(crate) fn start(&self, b: BoundarySlot) -> BoundaryStart<HalfEdgeSlot, VertexSlot> {
-        let bits = self.start[b.index()];
+        let bits = self.boundary_rows[b.index()].start;
         if bits & OTHER == 0 {
             BoundaryStart::HalfEdge(HalfEdgeSlot(bits))
         } else {
@@ -418,7 +411,7 @@ impl Store {
 
     #[inline]
     pub(crate) fn place(&self, b: BoundarySlot) -> u32 {
-        self.place[b.index()]
+        self.boundary_rows[b.index()].place
     }
 
     #[inline]
@@ -428,19 +421,29 @@ impl Store {
 
     #[inline]
     pub(crate) fn outer_half_edge(&self, f: FaceSlot) -> Option<HalfEdgeSlot> {
-        let bits = self.outer[f.index()];
+        let bits = self.face_rows[f.index()].outer;
         // The high bit is set if there is no outer boundary component, or if it is an isolated vertex, which is invalid.
         (bits & OTHER == 0).then_some(HalfEdgeSlot(bits))
     }
 
     #[inline]
+    pub(super) fn inner_list(&self, f: FaceSlot) -> &[BoundarySlot] {
+        self.inner.of(&self.face_rows[f.index()].inner)
+    }
+
+    #[inline]
     pub(crate) fn inner_count(&self, f: FaceSlot) -> usize {
-        self.inner.of(f.0).len()
+        self.inner_list(f).len()
+    }
+
+    #[inline]
+    pub(crate) fn last_inner(&self, f: FaceSlot) -> Option<BoundarySlot> {
+        self.inner_list(f).last().copied()
     }
 
     #[inline]
     pub(crate) fn inner(&self, f: FaceSlot, position: usize) -> Option<BoundarySlot> {
-        self.inner.of(f.0).get(position).copied()
+        self.inner_list(f).get(position).copied()
     }
 
     pub(crate) fn set_origin(&mut self, h: HalfEdgeSlot, v: VertexSlot) {
@@ -466,62 +469,62 @@ impl Store {
     }
 
     pub(crate) fn set_start(&mut self, b: BoundarySlot, start: BoundaryStart<HalfEdgeSlot, VertexSlot>) {
-        self.note(Written::Start, b.0, self.start[b.index()]);
-        self.start[b.index()] = start_bits(start);
-        if self.place[b.index()] == OUTER {
-            let f = self.boundary_face[b.index()];
-            self.note(Written::Outer, f.0, self.outer[f.index()]);
+        self.note(Written::Start, b.0, self.boundary_rows[b.index()].start);
+        self.boundary_rows[b.index()].start = start_bits(start);
+        if self.boundary_rows[b.index()].place == OUTER {
+            let f = self.boundary_rows[b.index()].face;
+            self.note(Written::Outer, f.0, self.face_rows[f.index()].outer);
             if let BoundaryStart::HalfEdge(h) = start {
-                self.outer[f.index()] = h.0;
+                self.face_rows[f.index()].outer = h.0;
             }
         }
     }
 
     /// Marks a boundary component at its place. The caller puts the place back before the operator ends, so the log has no entry.
     pub(crate) fn mark_place(&mut self, b: BoundarySlot, mark: u32) {
-        self.place[b.index()] = mark;
+        self.boundary_rows[b.index()].place = mark;
     }
 
     /// Makes `b`, a cycle, the outer boundary component of `f`.
     pub(crate) fn list_outer(&mut self, f: FaceSlot, b: BoundarySlot) {
         self.note_all([
-            (Written::Outer, f.0, self.outer[f.index()]),
-            (Written::BoundaryFace, b.0, self.boundary_face[b.index()].0),
-            (Written::Place, b.0, self.place[b.index()]),
+            (Written::Outer, f.0, self.face_rows[f.index()].outer),
+            (Written::BoundaryFace, b.0, self.boundary_rows[b.index()].face.0),
+            (Written::Place, b.0, self.boundary_rows[b.index()].place),
         ]);
-        self.outer[f.index()] = self.start[b.index()];
-        self.boundary_face[b.index()] = f;
-        self.place[b.index()] = OUTER;
+        self.face_rows[f.index()].outer = self.boundary_rows[b.index()].start;
+        self.boundary_rows[b.index()].face = f;
+        self.boundary_rows[b.index()].place = OUTER;
     }
 
     pub(crate) fn list_inner(&mut self, f: FaceSlot, b: BoundarySlot) {
         self.note_all([
-            (Written::BoundaryFace, b.0, self.boundary_face[b.index()].0),
-            (Written::Place, b.0, self.place[b.index()]),
+            (Written::BoundaryFace, b.0, self.boundary_rows[b.index()].face.0),
+            (Written::Place, b.0, self.boundary_rows[b.index()].place),
             (Written::Listed, f.0, b.0),
         ]);
-        self.place[b.index()] = self.inner_count(f) as u32;
-        self.boundary_face[b.index()] = f;
-        self.inner.push(f.0, b);
+        self.boundary_rows[b.index()].place = self.inner_count(f) as u32;
+        self.boundary_rows[b.index()].face = f;
+        self.inner.push(&mut self.face_rows[f.index()].inner, b);
     }
 
     /// Removes `b` from the lists of its face. The last inner boundary component takes its place. O(1).
     pub(crate) fn unlist(&mut self, b: BoundarySlot) {
-        let f = self.boundary_face[b.index()];
-        let place = self.place[b.index()];
+        let f = self.boundary_rows[b.index()].face;
+        let place = self.boundary_rows[b.index()].place;
         if place == OUTER {
-            self.note(Written::Outer, f.0, self.outer[f.index()]);
-            self.outer[f.index()] = NIL;
+            self.note(Written::Outer, f.0, self.face_rows[f.index()].outer);
+            self.face_rows[f.index()].outer = NIL;
         } else {
             self.note(Written::Unlisted, f.0, b.0);
-            if let Some(last) = self.inner.of(f.0).last().copied() {
-                self.note(Written::Place, last.0, self.place[last.index()]);
+            if let Some(last) = self.inner_list(f).last().copied() {
+                self.note(Written::Place, last.0, self.boundary_rows[last.index()].place);
             }
-            if let Some(moved) = self.inner.swap_remove(f.0, place) {
-                self.place[moved.index()] = place;
+            if let Some(moved) = self.inner.swap_remove(&mut self.face_rows[f.index()].inner, place) {
+                self.boundary_rows[moved.index()].place = place;
             }
         }
         self.note(Written::Place, b.0, place);
-        self.place[b.index()] = UNLISTED;
+        self.boundary_rows[b.index()].place = UNLISTED;
     }
 }

@@ -192,7 +192,7 @@ impl Dcel {
         };
         let (sa, sb) = (stretch(from), stretch(to));
         let shorter = match (sa, sb) {
-            (Some(a), Some(b)) => self.shorter_or_first((a, a), (b, b)),
+            (Some(a), Some(b)) => self.shorter_or_first(a, b),
             (Some(_), None) => OneOfTwo::Second,
             (None, _) => OneOfTwo::First,
         };
@@ -201,7 +201,7 @@ impl Dcel {
             OneOfTwo::Second => (ba, bb, sb),
         };
         if let Some(h) = relabelled {
-            self.relabel(h, h, kept);
+            self.relabel(h, self.store.prev(h), kept);
         }
         let n = self.attach(from, to);
         let t = self.store.twin(n);
@@ -225,8 +225,8 @@ impl Dcel {
     }
 
     /// Returns the shorter of two whole cycles, the first if they are equally long. O(shorter).
-    fn shorter_or_first(&self, a: (HalfEdgeSlot, HalfEdgeSlot), b: (HalfEdgeSlot, HalfEdgeSlot)) -> OneOfTwo {
-        match self.shorter_or_second((Some(b.0), b.1), (Some(a.0), a.1)) {
+    fn shorter_or_first(&self, a: HalfEdgeSlot, b: HalfEdgeSlot) -> OneOfTwo {
+        match self.shorter_or_second((Some(b), self.store.prev(b)), (Some(a), self.store.prev(a))) {
             OneOfTwo::First => OneOfTwo::Second,
             OneOfTwo::Second => OneOfTwo::First,
         }
@@ -240,13 +240,14 @@ impl Dcel {
         let t = self.store.twin(n);
         self.store.set_boundary(n, kept);
         self.store.set_boundary(t, kept);
-        let shorter = self.shorter_or_second((Some(n), n), (Some(t), t));
-        let (made_start, kept_start) = match shorter {
-            OneOfTwo::First => (n, t),
-            OneOfTwo::Second => (t, n),
+        let (before_n, before_t) = (self.store.prev(n), self.store.prev(t));
+        let shorter = self.shorter_or_second((Some(n), before_n), (Some(t), before_t));
+        let (made_start, made_last, kept_start) = match shorter {
+            OneOfTwo::First => (n, before_n, t),
+            OneOfTwo::Second => (t, before_t, n),
         };
         let made = self.store.add_boundary(f, BoundaryStart::HalfEdge(made_start));
-        self.relabel(made_start, made_start, made);
+        self.relabel(made_start, made_last, made);
         self.store.set_start(kept, BoundaryStart::HalfEdge(kept_start));
 
         let g = self.store.add_face();
@@ -255,7 +256,9 @@ impl Dcel {
             Side::Right => t,
         };
         let (of_new, of_old) = if made_start == new_side { (made, kept) } else { (kept, made) };
-        self.store.unlist(kept);
+        if !was_outer {
+            self.store.unlist(kept);
+        }
         self.store.list_outer(g, of_new);
         self.list(f, of_old, was_outer);
         for key in split.inner {

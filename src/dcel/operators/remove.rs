@@ -3,7 +3,7 @@
 use super::walk::OneOfTwo;
 use crate::dcel::access::OperatorError;
 use crate::dcel::structure::Dcel;
-use crate::store::{BoundaryKey, BoundaryStart, FaceKey, HalfEdgeKey, HalfEdgeSlot, Room, Store, VertexLink};
+use crate::store::{BoundaryKey, BoundaryStart, FaceKey, HalfEdgeKey, HalfEdgeSlot, Room, VertexLink};
 
 /// The result of [`Dcel::remove_edge`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -98,9 +98,11 @@ impl Dcel {
     /// Sets other leaving half-edges for the ends of the edge, if they have any.
     fn release_ends(&mut self, around: &Neighbourhood<HalfEdgeSlot>) {
         let Neighbourhood { n, t, after_n, after_t, .. } = *around;
-        let others = [after_t, after_n];
-        for end in [self.store.origin(n), self.store.origin(t)] {
-            if let Some(h) = others.into_iter().find(|h| *h != n && *h != t && self.store.origin(*h) == end) {
+        let (a, b) = (self.store.origin(n), self.store.origin(t));
+        // Where these start is known, so their records are not read.
+        let others = [(after_t, a), (after_n, b)];
+        for end in [a, b] {
+            if let Some((h, _)) = others.into_iter().find(|(h, v)| *h != n && *h != t && *v == end) {
                 self.store.set_vertex_link(end, VertexLink::Leaving(h));
             }
         }
@@ -117,12 +119,15 @@ impl Dcel {
             (false, _) => (fn_, ft, false),
         };
         self.follow(move |dcel| dcel.steps_to_remove_edge(n, Some([kept_face, dropped_face])))?;
-        let shorter = self.shorter_or_second((Some(n), n), (Some(t), t));
-        let (kept, dropped, relabelled) = match shorter {
-            OneOfTwo::First => (bt, bn, n),
-            OneOfTwo::Second => (bn, bt, t),
+        // Read before the walks, so that these records are fetched while the half-edges are.
+        let faces = [kept_face, dropped_face].map(|f| self.store.face_key(f));
+        let [bn, bt] = [bn, bt].map(|b| (b, self.store.boundary_key(b)));
+        let shorter = self.shorter_or_second((Some(n), before_n), (Some(t), before_t));
+        let ((kept, kept_key), (dropped, dropped_key), first, last) = match shorter {
+            OneOfTwo::First => (bt, bn, n, before_n),
+            OneOfTwo::Second => (bn, bt, t, before_t),
         };
-        self.relabel(relabelled, relabelled, kept);
+        self.relabel(first, last, kept);
 
         self.release_ends(around);
         let start = match (after_n == n, after_t == t) {
@@ -146,25 +151,24 @@ impl Dcel {
         if start.is_none() {
             self.store.set_vertex_link(v, VertexLink::Isolated(kept));
         }
-        self.store.unlist(kept);
-        self.store.unlist(dropped);
-        self.list(kept_face, kept, outer);
+        if outer {
+            // In place of both, as the other face goes.
+            self.store.list_outer(kept_face, kept);
+        } else {
+            self.store.unlist(kept);
+            self.store.unlist(dropped);
+            self.store.list_inner(kept_face, kept);
+        }
         // From the end, so no other component changes its place.
-        let last = |store: &Store| store.inner(dropped_face, store.inner_count(dropped_face).checked_sub(1)?);
-        while let Some(b) = last(&self.store) {
+        while let Some(b) = self.store.last_inner(dropped_face) {
             self.store.unlist(b);
             self.store.list_inner(kept_face, b);
         }
-        let merged = RemovedEdge::Merged {
-            kept_face: self.store.face_key(kept_face),
-            dropped_face: self.store.face_key(dropped_face),
-            kept: self.store.boundary_key(kept),
-            dropped: self.store.boundary_key(dropped),
-        };
         self.store.remove_boundary(dropped);
         self.store.remove_face(dropped_face);
         self.store.remove_edge(n);
-        Ok(merged)
+        let [kept_face, dropped_face] = faces;
+        Ok(RemovedEdge::Merged { kept_face, dropped_face, kept: kept_key, dropped: dropped_key })
     }
 
     fn part(&mut self, around: &Neighbourhood<HalfEdgeSlot>) -> RemovedEdge {
@@ -175,7 +179,7 @@ impl Dcel {
         let outside = self.is_outer(kept).then(|| self.part_with_outside(n, t));
         let at_origin = (after_t != n).then_some(after_t);
         let at_target = (after_n != t).then_some(after_n);
-        let shorter = self.shorter_or_second((at_origin, n), (at_target, t));
+        let shorter = self.shorter_or_second((at_origin, before_n), (at_target, before_t));
 
         self.release_ends(around);
         if at_origin.is_some() {
@@ -193,7 +197,7 @@ impl Dcel {
             if let Some(h) = start {
                 self.store.set_start(b, BoundaryStart::HalfEdge(h));
                 if b == made {
-                    self.relabel(h, h, made);
+                    self.relabel(h, self.store.prev(h), made);
                 }
             } else {
                 self.store.set_start(b, BoundaryStart::Vertex(vertex));

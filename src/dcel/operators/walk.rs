@@ -100,33 +100,33 @@ impl Search {
 }
 
 impl Dcel {
-    /// Walks along two cycles in step, from each half-edge to the stop of its walk, and returns the shorter walk, the second
-    /// if they are equally long. A walk without a first half-edge is empty.
+    /// Walks along two stretches in step, each from its first half-edge to its last, and returns the shorter one, the second if
+    /// they are equally long. A stretch without a first half-edge is empty.
     ///
     /// O(shorter).
     pub(super) fn shorter_or_second(
         &self,
-        (mut first, first_stop): (Option<HalfEdgeSlot>, HalfEdgeSlot),
-        (mut second, second_stop): (Option<HalfEdgeSlot>, HalfEdgeSlot),
+        (mut first, first_last): (Option<HalfEdgeSlot>, HalfEdgeSlot),
+        (mut second, second_last): (Option<HalfEdgeSlot>, HalfEdgeSlot),
     ) -> OneOfTwo {
-        let step = |h: HalfEdgeSlot, stop: HalfEdgeSlot| Some(self.store.next(h)).filter(|next| *next != stop);
+        let step = |h: HalfEdgeSlot, last: HalfEdgeSlot| (h != last).then(|| self.store.next(h));
         loop {
             let Some(b) = second else { return OneOfTwo::Second };
             let Some(a) = first else { return OneOfTwo::First };
-            second = step(b, second_stop);
-            first = step(a, first_stop);
+            second = step(b, second_last);
+            first = step(a, first_last);
         }
     }
 
-    /// Labels the half-edges from `first` until `stop` (excluded, or the whole cycle if they are equal).
-    pub(super) fn relabel(&mut self, first: HalfEdgeSlot, stop: HalfEdgeSlot, b: BoundarySlot) {
+    /// Labels the half-edges from `first` to `last`.
+    pub(super) fn relabel(&mut self, first: HalfEdgeSlot, last: HalfEdgeSlot, b: BoundarySlot) {
         let mut h = first;
         loop {
             self.store.set_boundary(h, b);
-            h = self.store.next(h);
-            if h == stop {
+            if h == last {
                 return;
             }
+            h = self.store.next(h);
         }
     }
 

@@ -35,6 +35,7 @@ pub(super) fn check<V: View + ?Sized>(
     scratch.rotations.clear();
     scratch.cycles.clear();
     let mut check = Check { diff, now, written, scratch };
+    check.note_written();
     check.half_edges()?;
     check.neighbours()?;
     if !now.has(Part::Prev) {
@@ -51,14 +52,25 @@ pub(super) fn check<V: View + ?Sized>(
 }
 
 impl<V: View + ?Sized> Check<'_, V> {
+    /// Notes the written records before any of them is checked: a change at a place that is not in the cache then waits for all
+    /// rows at once.
+    fn note_written(&mut self) {
+        let WriteSet { vertices, half_edges, boundaries, faces, .. } = self.written;
+        self.diff.half_edges.note_all(half_edges);
+        self.diff.vertices.note_all(vertices);
+        if self.now.has(Part::BoundaryComponents) {
+            self.diff.labels.note_all(boundaries);
+            self.diff.faces.note_all(faces);
+        } else {
+            self.diff.labels.note_all(faces);
+        }
+    }
+
     /// R1 of half-edges, L1, L2, L3, and constant labels along `next`, for each half-edge that may differ.
     ///
     /// For L2 it is enough that `prev(next(h)) = h` for each: then no two have the same `next`, so each is the `next` of one half-edge,
     /// its `prev`.
     fn half_edges(&mut self) -> Option<()> {
-        for h in &self.written.half_edges {
-            self.diff.half_edges.note(*h);
-        }
         (0..self.diff.half_edges.len()).try_for_each(|position| self.half_edge(position))
     }
 
@@ -170,15 +182,12 @@ impl<V: View + ?Sized> Check<'_, V> {
     fn labels(&mut self) -> Option<()> {
         let (diff, now, written) = (&mut *self.diff, self.now, self.written);
         if now.has(Part::BoundaryComponents) {
-            written.boundaries.iter().for_each(|b| diff.labels.note(*b));
             for v in &written.vertices {
                 let named = [index(diff.vertices.before(*v).isolated), now.isolated(*v).filter(|b| now.is_label(*b))];
                 named.into_iter().flatten().for_each(|b| diff.labels.note(b));
             }
             let outer = |f: &usize| index(diff.faces.before(*f).outer);
             written.faces.iter().filter_map(outer).for_each(|b| diff.labels.note(b));
-        } else {
-            written.faces.iter().for_each(|f| diff.labels.note(*f));
         }
         self.scratch.cycles.sort();
         for position in 0..self.diff.labels.len() {
@@ -226,9 +235,6 @@ impl<V: View + ?Sized> Check<'_, V> {
     /// number of boundary components that claim to be inner ones of the face: then no entry is missing or repeated.
     fn faces(&mut self) -> Option<()> {
         let (diff, now) = (&mut *self.diff, self.now);
-        for f in &self.written.faces {
-            diff.faces.note(*f);
-        }
         for (_, before, after) in diff.labels.changes().filter(|(_, a, b)| (a.face, a.place) != (b.face, b.place)) {
             for (label, gain) in [(before, u32::MAX), (after, 1)] {
                 let Some(face) = index(label.face).and_then(|f| diff.faces.change(f)) else { continue };
@@ -256,7 +262,6 @@ impl<V: View + ?Sized> Check<'_, V> {
     /// the vertex of a changed label.
     fn vertices(&mut self) -> Option<()> {
         let diff = &mut *self.diff;
-        self.written.vertices.iter().for_each(|v| diff.vertices.note(*v));
         for (_, before, after) in diff.labels.changes() {
             let isolated = [before, after].into_iter().filter_map(|label| label.vertex());
             isolated.for_each(|v| diff.vertices.note(v));

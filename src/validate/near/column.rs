@@ -107,6 +107,12 @@ impl<R: Row> Column<R> {
         let _ = self.change(index);
     }
 
+    pub(super) fn note_all(&mut self, indices: &[usize]) {
+        for index in indices {
+            self.note(*index);
+        }
+    }
+
     pub(super) fn len(&self) -> usize {
         self.after.len()
     }
