@@ -77,7 +77,7 @@ impl Store {
 
     /// The face and the place of a boundary component that may be in a list.
     fn listed(&self, b: u32) -> Option<(usize, usize)> {
-        let BoundaryRow { face, place, .. } = self.boundary_rows[b as usize];
+        let BoundaryRow { face, place, .. } = *self.boundary_rows.get(b as usize)?;
         let is_listed = self.boundaries.is_live(b) && (place as usize) < MOST;
         is_listed.then_some((face.index(), place as usize))
     }
