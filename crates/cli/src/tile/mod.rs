@@ -143,15 +143,14 @@ impl Tile {
         if self.verbose {
             eprintln!("{name}: {}", told(amount));
         }
-        let judged = match &self.source {
-            Some(_) => None,
-            None => {
-                let (judged, is_same) = watch.judged(&self.map)?;
-                if !is_same {
-                    return Err(Failure(format!("{name}: the file changed while it was read")));
-                }
-                judged
+        let judged = if self.source.is_some() {
+            None
+        } else {
+            let (judged, is_same) = watch.judged(&self.map)?;
+            if !is_same {
+                return Err(Failure(format!("{name}: the file changed while it was read")));
             }
+            judged
         };
         let portion = portion.of(self.facts(judged, crs.filter(Crs::is_other)));
         write_file(&self.output, self.map.path(), &portion.to_bytes())?;
