@@ -20,9 +20,9 @@ use super::ends::{Ends, compare_edges, compare_points};
 use super::error::TileError;
 use super::extent::{corners, points};
 use super::grid::{Grid, Tile};
-use super::portion::Source;
 use core::cmp::Ordering;
 use rustc_hash::{FxHashMap, FxHashSet};
+use std::collections::BTreeMap;
 use twinedge::dcel::RecordKind;
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::{NodingError, PartNoding};
@@ -39,6 +39,9 @@ const MARGIN: f64 = 40.0;
 
 /// A step reads a point up to an eighth of a cell off, and a pixel extends half a cell around its centre.
 const REACH: f64 = 2.0;
+
+/// What tiles were made of: facts by name, such as the SHA-256 of a file, or the snapshot of a table and the filter on it.
+pub type Source = BTreeMap<String, String>;
 
 type Key = [(u64, u64); 2];
 

@@ -117,12 +117,12 @@ mod tally;
 pub use audit::audit;
 #[cfg(feature = "serde")]
 pub use bytes::BytesError;
-pub use cuts::{Cuts, Found};
+pub use cuts::{Cuts, Found, Source};
 pub use error::{AuditError, FinishError, MergeError, TileError};
 pub use fault::{Crossing, CrossingKind, SeamFault, SeamRule, Uneven};
 pub use finish::Outcome;
 pub use grid::{Grid, GridError, Tile};
-pub use portion::{Portion, Source};
+pub use portion::Portion;
 pub use side::Side;
 pub use summary::Summary;
 

@@ -1,15 +1,11 @@
 //! The audited portion of a map: what tiles were made of, and their summaries, as they are saved, sent and merged.
 
-use super::cuts::Cuts;
+use super::cuts::{Cuts, Source};
 use super::error::{MergeError, TileError};
 use super::grid::{Grid, Tile};
 use super::summary::Summary;
 use crate::Limits;
-use std::collections::BTreeMap;
 use twinedge_map::Feature;
-
-/// What tiles were made of: facts by name, such as the SHA-256 of a file, or the snapshot of a table and the filter on it.
-pub type Source = BTreeMap<String, String>;
 
 /// The audit of one tile, or of several merged tiles.
 ///

@@ -1,10 +1,11 @@
 //! Loading saved summaries: all references must be valid.
 
 use super::claimed::Claimed;
+use super::cuts::Source;
 use super::ends::{Ends, compare_edges};
 use super::fault::{Crossing, SeamFault, Uneven};
 use super::grid::{Grid, Tile};
-use super::portion::{Portion, Source};
+use super::portion::Portion;
 use super::region::{Claim, Edge, Region, Sliver};
 use super::side::Side;
 use super::summary::{Border, Component, Face, MOST, Summary, Totals};
