@@ -3,8 +3,8 @@
 use crate::maps::{Random, area, feature};
 use crate::whole::{grid, largest};
 use serde_json::{from_value, to_value};
-use twinedge_coverage::Limits;
 use twinedge_coverage::tile::{BytesError, Cuts, Found, Grid, MergeError, Portion, Source, Tile, TileError};
+use twinedge_coverage::{CoverageRule, Limits};
 use twinedge_map::Feature;
 
 fn source(snapshot: u32) -> Source {
@@ -85,6 +85,22 @@ fn tiles_and_cuts_of_two_snapshots_are_not_put_together() {
     let tile = Tile { column: 0, row: 0 };
     let early = Portion::new(&grid, tile, numbered(&features), &Limits::default(), Some(&empty(7)));
     assert_eq!(early.unwrap_err(), TileError::OtherCuts);
+}
+
+/// Regression: where edges meet within one cell there are no cuts, and the coverage was not judged.
+#[test]
+fn edges_that_meet_within_one_cell_are_rounded_though_nothing_is_cut() {
+    let above = f64::EPSILON;
+    let squares = [([0.0, 0.0], [1.0, 1.0]), ([1.0, above], [2.0, 1.0 + above])];
+    let features: Vec<Feature> = squares.map(|(low, high)| feature([area(low, high)])).into();
+    let grid = grid(&[1.0], &[0.5]);
+    assert!(cuts(&grid, &features, 7).is_empty());
+    let all = portions(&grid, &features, 7).into_iter();
+    let (summary, cut) = all.reduce(|one, other| one.merge(other).unwrap()).unwrap().into_summaries();
+    let outcome = summary.finish().unwrap();
+    assert!(outcome.needs_cut());
+    let coverage = outcome.with_cut(cut.unwrap().finish().unwrap()).coverage.unwrap();
+    assert_eq!(coverage.findings.iter().map(|one| one.rule).collect::<Vec<_>>(), [CoverageRule::Mismatch]);
 }
 
 #[test]
