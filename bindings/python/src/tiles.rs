@@ -112,8 +112,8 @@ fn source(text: Option<&str>) -> Source {
 
 /// Returns no cuts yet, of a map of this source whose coordinates are at most `largest`.
 #[pyfunction]
-pub(crate) fn no_cuts<'py>(py: Python<'py>, largest: f64, of: Option<&str>) -> PyResult<Bound<'py, PyBytes>> {
-    let cuts = Cuts::new(largest).map_err(Failure::value)?.of(source(of));
+pub(crate) fn no_cuts<'py>(py: Python<'py>, largest: f64, of_source: Option<&str>) -> PyResult<Bound<'py, PyBytes>> {
+    let cuts = Cuts::new(largest).map_err(Failure::value)?.with_source(source(of_source));
     Ok(PyBytes::new(py, &serde_json::to_vec(&cuts).map_err(Failure::value)?))
 }
 
@@ -187,7 +187,7 @@ pub(crate) fn summarise<'py>(
             return Err(Failure::Value("cuts: not all of them are found yet".to_owned()));
         }
         let portion = Portion::new(&grid, tile, given, &limits, cuts.as_ref()).map_err(refused)?;
-        Ok(if cuts.is_some() { portion } else { portion.of(source(of_source)) }.to_bytes())
+        Ok(if cuts.is_some() { portion } else { portion.with_source(source(of_source)) }.to_bytes())
     });
     Ok(PyBytes::new(py, &bytes?))
 }
@@ -227,8 +227,9 @@ pub(crate) fn finish(
             let known = all.as_ref().map(|all| all.summary().tiles().to_vec()).unwrap_or_default();
             let (is_cut, source) =
                 all.as_ref().map(|all| (all.cut().is_some(), all.source().clone())).unwrap_or_default();
-            let nothing =
-                |tile| Ok(Portion::of_nothing(&grid, tile, &limits, is_cut).map_err(refused)?.of(source.clone()));
+            let nothing = |tile| {
+                Ok(Portion::of_nothing(&grid, tile, &limits, is_cut).map_err(refused)?.with_source(source.clone()))
+            };
             let missing = grid.tiles().filter(|tile| known.binary_search(tile).is_err());
             let missing = missing.map(nothing).collect::<Result<Vec<_>, Failure>>()?;
             all = merged(all.into_iter().chain(missing).collect())?;

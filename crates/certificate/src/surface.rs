@@ -230,11 +230,11 @@ impl<V: View + ?Sized, C: Columns> Surface<'_, V, C> {
         let lower = |link| self.0.is_lower(link, h);
         self.0.note_links(h, failures);
         failures.note(Test::CycleOk, h, next.and_then(|n| self.boundary(n)) == boundary && start.is_some());
-        // The next half-edge around the origin is the one kept by the vertex, or has a greater turn.
+        // Unless the genus is 0, the next half-edge around the origin is the one kept by the vertex, or has a greater turn.
         failures.note(Test::TurnOk, h, {
             genus == 0 || turned.is_some_and(|g| kept == Some(g) || self.grows(Column::HalfEdgeTurn, h, g))
         });
-        // The next half-edge on the cycle is the start of the boundary component, or has a greater step.
+        // Unless the genus is 0, the next half-edge on the cycle is the start of the boundary component, or has a greater step.
         failures.note(Test::StepOk, h, {
             genus == 0 || next.is_some_and(|n| start == Some(n) || self.grows(Column::HalfEdgeStep, h, n))
         });

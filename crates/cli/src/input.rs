@@ -110,7 +110,7 @@ pub(crate) struct MapFile {
 
 type State = (u64, Option<SystemTime>);
 
-/// What identifies the bytes of an input that is read.
+/// Identifies the bytes of an input while it is read.
 pub(crate) struct Watch {
     before: Option<State>,
     counter: Option<Counter>,

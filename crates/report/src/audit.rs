@@ -212,9 +212,9 @@ pub fn audit_mesh(name: &str, mesh: IndexedMesh, options: &Options) -> Result<Au
     Ok(Audited(Outcome::Report(Box::new(report), Subject::Mesh(mesh))))
 }
 
-/// Reports the audit of all tiles of a map. Where edges meet away from vertices, the findings come from the tiles with their edges cut. Features
-/// are known by their numbers. If tiles were made without cuts, or were missing when edges were cut, the report names them and says nothing
-/// about coverage.
+/// Reports the audit of all tiles of a map. Where edges meet away from vertices, the findings come from the tiles with their edges cut. The report
+/// names features by their numbers. If a tile was made without cuts, or was missing when edges were cut, the report names the tile, and the
+/// coverage is not judged.
 ///
 /// `crs` is the map's coordinate reference system, unless it is longitude and latitude on WGS 84.
 ///

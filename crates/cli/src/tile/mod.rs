@@ -26,8 +26,8 @@ use twinedge_report::{Error, Imported, InMemory, Judged, Keep, LimitOptions, ref
 /// cut their edges. A box that is smaller than its feature is an error in each tile that it meets: if all tiles can be made, no feature was missed. Other files are read
 /// as a whole for each tile; `twinedge convert` writes both formats.
 ///
-/// All tiles must be made of the same file, with the same grid, box and limits; `sum` refuses others. A summary has the SHA-256 of its file for that,
-/// which takes reading all of it; --source saves this.
+/// All tiles must be made of the same file, with the same grid, box and limits; `sum` refuses others. Each summary stores the SHA-256 of the file, for
+/// which the whole file is read; with --source, it stores a text of yours instead.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   twinedge tile parcels.geojson --grid 2x1 --tile 0,0 -o 0-0.summary
@@ -58,7 +58,7 @@ pub(crate) struct Tile {
     #[command(flatten)]
     limits: LimitOptions,
 
-    /// What the file is, such as a version of the layer, in place of its SHA-256: summaries with different texts are not added up.
+    /// A text that identifies the file in place of its SHA-256, such as the version of the layer. `sum` refuses summaries with different texts.
     #[arg(long, value_name = "TEXT")]
     source: Option<String>,
 
@@ -71,7 +71,7 @@ pub(crate) struct Tile {
     output: PathBuf,
 }
 
-/// The names of what a tile was made of.
+/// The names of the facts about a tile's source.
 mod fact {
     pub(super) const CRS: &str = "crs";
     pub(super) const LAYER: &str = "layer";
@@ -152,12 +152,12 @@ impl Tile {
             }
             judged
         };
-        let portion = portion.of(self.facts(judged, crs.filter(Crs::is_other)));
+        let portion = portion.with_source(self.facts(judged, crs.filter(Crs::is_other)));
         write_file(&self.output, self.map.path(), &portion.to_bytes())?;
         Ok(Verdict::Sound)
     }
 
-    /// Returns what the tile was made of.
+    /// Returns the facts that identify the source of the tile.
     fn facts(&self, judged: Option<Judged>, crs: Option<Crs>) -> Source {
         let (sha256, bytes) = judged.map(|judged| (judged.sha256, judged.bytes.to_string())).unzip();
         let facts = [

@@ -40,7 +40,7 @@ const MARGIN: f64 = 40.0;
 /// A step reads a point up to an eighth of a cell off, and a pixel extends half a cell around its centre.
 const REACH: f64 = 2.0;
 
-/// What tiles were made of: facts by name, such as the SHA-256 of a file, or the snapshot of a table and the filter on it.
+/// Facts that identify a map, by name: for example the SHA-256 of a file, or the snapshot of a table and its filter.
 pub type Source = BTreeMap<String, String>;
 
 type Key = [(u64, u64); 2];
@@ -137,9 +137,9 @@ impl Cuts {
         })
     }
 
-    /// Returns the cuts as those of a map of this source. What is found in maps of other sources is refused then.
+    /// Sets the source of the map. [`take`](Self::take) then refuses what was found in maps of other sources.
     #[must_use]
-    pub fn of(self, source: Source) -> Self {
+    pub fn with_source(self, source: Source) -> Self {
         Self { source, ..self }
     }
 

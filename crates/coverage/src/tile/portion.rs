@@ -25,7 +25,7 @@ use twinedge_map::Feature;
 /// let portion = |column, snapshot: &str| {
 ///     let source = Source::from([("snapshot".to_owned(), snapshot.to_owned())]);
 ///     let portion = Portion::new(&grid, Tile { column, row: 0 }, [(0, &square)], &Limits::default(), None);
-///     portion.map(|portion| portion.of(source))
+///     portion.map(|portion| portion.with_source(source))
 /// };
 /// let whole = portion(0, "7")?.merge(portion(1, "7")?)?;
 /// assert!(whole.summary().clone().finish()?.is_valid());
@@ -73,9 +73,9 @@ impl Portion {
         Ok(Self { source: Source::new(), cut: is_cut.then(|| summary.clone()), summary })
     }
 
-    /// Returns the portion as one of a map of this source.
+    /// Sets the source of the map.
     #[must_use]
-    pub fn of(self, source: Source) -> Self {
+    pub fn with_source(self, source: Source) -> Self {
         Self { source, ..self }
     }
 

@@ -21,7 +21,7 @@ fn found(cuts: &Cuts, grid: &Grid, features: &[Feature]) -> Vec<Found> {
 
 /// All cuts of a map of this snapshot.
 fn cuts(grid: &Grid, features: &[Feature], snapshot: u32) -> Cuts {
-    let mut cuts = Cuts::new(largest(features)).expect("finite").of(source(snapshot));
+    let mut cuts = Cuts::new(largest(features)).expect("finite").with_source(source(snapshot));
     while !cuts.is_complete() {
         let these = found(&cuts, grid, features);
         cuts.take(these).expect("few rounds");
@@ -75,10 +75,10 @@ fn tiles_and_cuts_of_two_snapshots_are_not_put_together() {
     assert_eq!(error.to_string(), "these are not tiles of one map: snapshot is 7 for the first and 8 for the second");
     assert_eq!(seven[0].clone().merge(eight[1].clone()), Err(error));
     let nameless = MergeError::Different { what: "snapshot".into(), one: "7".into(), other: "none".into() };
-    assert_eq!(seven[0].belongs_to(&eight[1].clone().of(Source::new())), Err(nameless));
+    assert_eq!(seven[0].belongs_to(&eight[1].clone().with_source(Source::new())), Err(nameless));
     assert_eq!(seven[0].belongs_to(&seven[0]), Err(MergeError::Twice(seven[0].summary().tiles()[0])));
 
-    let empty = |snapshot| Cuts::new(largest(&features)).expect("finite").of(source(snapshot));
+    let empty = |snapshot| Cuts::new(largest(&features)).expect("finite").with_source(source(snapshot));
     let of_eight = found(&empty(8), &grid, &features);
     assert_eq!(empty(7).take(of_eight.clone()), Err(TileError::OtherCuts));
     assert_eq!(empty(8).take(of_eight), Ok(()));

@@ -29,6 +29,7 @@ struct Step {
     is_new: bool,
 }
 
+/// What the segments of a ring or a line tell about it, besides its darts.
 #[derive(Default)]
 struct Course {
     /// The position of the point where each segment starts.
@@ -314,7 +315,7 @@ impl Builder {
         Ok(())
     }
 
-    /// Returns the number of a segment, often adjacent to the given one, since borders are followed from both sides.
+    /// Finds or adds a segment. Its number is often next to the given one, since borders are followed from both sides.
     fn segment_between(&mut self, ends: [u32; 2], hash: u64, is_new: bool, beside: u32) -> Result<u32, BuildError> {
         let is = |number: u32| self.segments.get(number as usize) == Some(&ends);
         // No segment leads to a new point yet.
@@ -339,7 +340,7 @@ impl Builder {
         })
     }
 
-    /// Returns the number of a point with this hash, often adjacent to the given one.
+    /// Finds or adds the vertex of a point with this hash. Its number is often next to the given one.
     fn vertex(&mut self, p: Point, hash: u64, beside: u32) -> Result<u32, BuildError> {
         let is = |number: u32| self.points.get(number as usize) == Some(&p);
         let near = |number: u32| Some(number).filter(|number| is(*number));

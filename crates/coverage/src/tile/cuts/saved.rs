@@ -88,7 +88,7 @@ impl TryFrom<SavedCuts> for Cuts {
             bends: map(bends),
             fresh,
             seen,
-            ..none.of(source)
+            ..none.with_source(source)
         };
         let is_known = cuts.fresh.iter().all(|ends| cuts.seen.contains(&key(ends)));
         if is_in_order && is_known { Ok(cuts) } else { Err(SavedError::Order) }
