@@ -6,9 +6,8 @@
 It also needs a Java runtime. In real use the layer is there; here it is a grid of parcels and a road, in five files, with overlaps, a gap, a
 duplicate and a corner in the border of a neighbour. The road lies in five tiles, many parcels lie in two, and borders of tiles cut most of the faults.
 
-Each feature needs a number. The rows go to the tiles that they meet (`assign`), the rows of a tile to one worker (`repartition` and
-`mapInArrow`). Where borders cross, they are cut alike in all tiles: in a few rounds workers find where (`search_tiles`), and what all of them found is
-taken here. Then one row comes back from each tile: its summary. Summaries are merged in pairs, on the workers, and the last one is finished here.
+Spark divides the features into the pieces that tiles need, gives each tile to a task and merges the summaries of the tiles; the features are named by
+their own ids.
 """
 
 from __future__ import annotations
@@ -17,13 +16,11 @@ import json
 import os
 import sys
 import tempfile
-from collections.abc import Iterator
 
 import pyarrow as pa
 import pyarrow.parquet as pq
 import shapely
 from pyspark.sql import SparkSession
-from pyspark.sql import functions as f
 
 import twinedge
 from twinedge import tiles
@@ -55,20 +52,8 @@ def write(layer: list[shapely.Polygon], folder: str) -> None:
         covering = {"bbox": {side: ["bbox", side] for side in boxes[0]}}
         geo = {"version": "1.1.0", "primary_column": "geometry"}
         geo["columns"] = {"geometry": {"encoding": "WKB", "geometry_types": ["Polygon"], "covering": covering}}
-        columns = {"parcel": numbers, "geometry": [layer[number].wkb for number in numbers], "bbox": boxes}
+        columns = {"parcel": [f"p{number:03}" for number in numbers], "geometry": [layer[number].wkb for number in numbers], "bbox": boxes}
         pq.write_table(pa.table(columns).replace_schema_metadata({"geo": json.dumps(geo)}), f"{folder}/part-{part}.parquet")
-
-
-def is_cut(finding: twinedge.Finding, layer: list[shapely.Polygon], grid: tiles.Grid) -> bool:
-    """True if a line between tiles runs through the place that several features claim together."""
-    if finding.rule not in ("C1", "C5"):
-        return False
-    shared = shapely.intersection_all([layer[feature] for feature in finding.features])
-    x0, y0, x1, y1 = grid.box
-    upright = [x0 + (x1 - x0) * i / grid.columns for i in range(1, grid.columns)]
-    level = [y0 + (y1 - y0) * i / grid.rows for i in range(1, grid.rows)]
-    lines = [shapely.LineString([(x, y0), (x, y1)]) for x in upright] + [shapely.LineString([(x0, y), (x1, y)]) for y in level]
-    return any(shapely.relate_pattern(line, shared, "T********") for line in lines)
 
 
 def main() -> None:
@@ -84,42 +69,16 @@ def main() -> None:
         .getOrCreate()
     )
     try:
-        frame = spark.read.parquet(folder)
-        # A layer without numbers of its own gets some by `frame.rdd.zipWithIndex()`, once and for all: rows have no order.
-        features = frame.select(f.col("parcel").alias("feature"), "geometry")
-        low = frame.agg(f.min("bbox.xmin"), f.min("bbox.ymin"), f.max("bbox.xmax"), f.max("bbox.ymax")).first()
-        box = tuple(low)
-        grid, cuts = tiles.Grid(box, 5, 5), tiles.Cuts(box)
-
-        def assign(batches: Iterator[pa.RecordBatch], cuts: tiles.Cuts = cuts) -> Iterator[pa.RecordBatch]:
-            return tiles.assign(batches, grid, cuts)
-
-        assigned = features.mapInArrow(assign, "tile long, feature long, geometry binary").repartition(8, "tile").persist()
-        while cuts.tiles(grid):
-
-            def search(batches: Iterator[pa.RecordBatch], cuts: tiles.Cuts = cuts) -> Iterator[pa.RecordBatch]:
-                return cuts.search_tiles(batches, grid)
-
-            cuts = cuts.take(assigned.mapInArrow(search, "found binary").toArrow())
-
-        def audit(batches: Iterator[pa.RecordBatch]) -> Iterator[pa.RecordBatch]:
-            return tiles.audit_tiles(batches, grid, cuts=cuts, **LIMITS)
-
-        def batch(row) -> pa.RecordBatch:
-            return pa.RecordBatch.from_pylist([{"summary": bytes(row.summary)}], tiles.schema())
-
-        summaries = assigned.mapInArrow(audit, "summary binary")
-        report = tiles.finish(summaries.rdd.map(batch).treeReduce(tiles.merge), grid=grid, coverage=True, **LIMITS)
+        report, findings = tiles.spark.audit(spark.read.parquet(folder), id="parcel", vertices=64, **LIMITS)
+        for row in findings.filter("rule LIKE 'C%'").select("rule", "kind", "ids", "x", "y", "area").collect():
+            print(*row)
     finally:
         spark.stop()
-    for finding in report.findings:
-        print(finding.rule, finding.kind, finding.features, finding.at, finding.area)
     whole = twinedge.audit(layer, coverage=True, **LIMITS)
     found, expected = ({finding.id for finding in one.findings} for one in (report, whole))
     if (report.verdict, report.finding_count, found) != (whole.verdict, whole.finding_count, expected):
         raise SystemExit(f"not the same as on one machine: {report} and {whole}")
-    cut = sum(is_cut(finding, layer, grid) for finding in report.findings)
-    print(f"the same as on one machine: {report.finding_count} findings, {cut} overlaps and duplicates across borders of tiles")
+    print(f"the same as on one machine: {report.finding_count} findings")
 
 
 if __name__ == "__main__":

@@ -3,7 +3,6 @@
 use crate::source::Failure;
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
-use pyo3::pybacked::PyBackedBytes;
 use std::ops::Range;
 use twinedge_geometry::Point;
 use twinedge_layers::io::ReadSummary;
@@ -13,8 +12,18 @@ use twinedge_map::{Feature, Shape};
 /// A column of geometries.
 #[derive(FromPyObject)]
 pub(crate) enum Column<'py> {
-    Binary(Vec<Option<PyBackedBytes>>),
     Native(Native<'py>),
+    Binary(Binary<'py>),
+}
+
+/// A column of binary values, such as well-known binary.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub(crate) struct Binary<'py> {
+    data: PyReadonlyArray1<'py, u8>,
+    /// The ends of values, after the start of the first.
+    ends: PyReadonlyArray1<'py, i64>,
+    missing: Option<PyReadonlyArray1<'py, bool>>,
 }
 
 /// A column of `GeoArrow`.
@@ -39,29 +48,62 @@ enum Offsets<'py> {
     Wide(PyReadonlyArray1<'py, i64>),
 }
 
-/// Columns that no longer need Python.
-pub(crate) enum Given {
-    Binary(Vec<Option<PyBackedBytes>>),
+/// A column that no longer needs Python.
+pub(crate) enum Given<'c> {
     Features(Vec<Feature>),
+    Binary(Values<'c>),
+}
+
+/// The values of a binary column, in place.
+pub(crate) struct Values<'c> {
+    data: &'c [u8],
+    ends: &'c [i64],
+    missing: Option<&'c [bool]>,
+}
+
+impl<'c> Values<'c> {
+    /// Returns each value, or nothing where it is missing.
+    ///
+    /// # Errors
+    /// The place of a value whose offsets are out of order.
+    pub(crate) fn each(&self) -> impl Iterator<Item = Result<Option<&'c [u8]>, Failure>> + '_ {
+        self.ends.windows(2).enumerate().map(|(place, ends)| {
+            if self.missing.is_some_and(|missing| missing.get(place) == Some(&true)) {
+                return Ok(None);
+            }
+            let at = |end: i64| usize::try_from(end).ok();
+            let value = at(ends[0]).zip(at(ends[1])).and_then(|(from, to)| self.data.get(from..to));
+            value.map(Some).ok_or_else(|| Failure::Value(format!("value {place}: its offsets are out of order")))
+        })
+    }
+}
+
+impl Binary<'_> {
+    pub(crate) fn values(&self) -> Result<Values<'_>, Failure> {
+        let missing = self.missing.as_ref().map(PyReadonlyArray1::as_slice).transpose();
+        let found = self.data.as_slice().and_then(|data| Ok((data, self.ends.as_slice()?, missing?)));
+        let (data, ends, missing) = found.map_err(Failure::value)?;
+        Ok(Values { data, ends, missing })
+    }
 }
 
 /// Takes columns, one after the other. Reads columns of `GeoArrow`.
-pub(crate) fn given(columns: Vec<Column<'_>>) -> Result<Vec<Given>, Failure> {
-    let of_column = |column: Column<'_>| match column {
-        Column::Binary(geometries) => Ok(Given::Binary(geometries)),
+pub(crate) fn given<'c>(columns: &'c [Column<'_>]) -> Result<Vec<Given<'c>>, Failure> {
+    let of_column = |column: &'c Column<'_>| match column {
+        Column::Binary(binary) => binary.values().map(Given::Binary),
         Column::Native(native) => native.features().map(Given::Features),
     };
-    columns.into_iter().map(of_column).collect()
+    columns.iter().map(of_column).collect()
 }
 
 /// Returns the features of all columns. Reads well-known binary.
-pub(crate) fn features(given: Vec<Given>) -> Result<Vec<Feature>, Failure> {
+pub(crate) fn features(given: Vec<Given<'_>>) -> Result<Vec<Feature>, Failure> {
     let mut features = Vec::new();
     for column in given {
         match column {
-            Given::Binary(geometries) => {
-                for geometry in &geometries {
-                    features.push(feature(features.len(), geometry.as_ref())?);
+            Given::Binary(values) => {
+                for geometry in values.each() {
+                    features.push(feature(features.len(), geometry?)?);
                 }
             }
             Given::Features(mut found) => features.append(&mut found),
@@ -70,8 +112,8 @@ pub(crate) fn features(given: Vec<Given>) -> Result<Vec<Feature>, Failure> {
     Ok(features)
 }
 
-fn feature(place: usize, geometry: Option<&PyBackedBytes>) -> Result<Feature, Failure> {
-    let geometry = geometry.map(|bytes| geometry_of_wkb(bytes)).transpose();
+fn feature(place: usize, geometry: Option<&[u8]>) -> Result<Feature, Failure> {
+    let geometry = geometry.map(geometry_of_wkb).transpose();
     let geometry = geometry.map_err(|error| Failure::Value(format!("geometry {place}: {error}")))?;
     Ok(to_map(&LayerFeature { geometry, ..LayerFeature::default() }, &mut ReadSummary::default()))
 }

@@ -43,8 +43,11 @@ fn _twinedge(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(audit::diff, module)?)?;
     module.add_function(wrap_pyfunction!(clean::clean, module)?)?;
     module.add_function(wrap_pyfunction!(maps::build_map, module)?)?;
-    module.add_function(wrap_pyfunction!(tiles::bounds, module)?)?;
-    module.add_function(wrap_pyfunction!(tiles::tiles_of, module)?)?;
+    module.add_function(wrap_pyfunction!(tiles::survey, module)?)?;
+    module.add_function(wrap_pyfunction!(tiles::even_grid, module)?)?;
+    module.add_function(wrap_pyfunction!(tiles::fitted_grid, module)?)?;
+    module.add_function(wrap_pyfunction!(tiles::boxes, module)?)?;
+    module.add_function(wrap_pyfunction!(tiles::divide, module)?)?;
     module.add_function(wrap_pyfunction!(tiles::no_cuts, module)?)?;
     module.add_function(wrap_pyfunction!(tiles::tiles_to_search, module)?)?;
     module.add_function(wrap_pyfunction!(tiles::search, module)?)?;

@@ -6,13 +6,15 @@
 
 use crate::geometries::{Column, features, given};
 use crate::source::Failure;
-use crate::tiles::{Assignment, GridArguments, assignment, bounds_of, grid, joined, number, tile};
+use crate::tiles::{Assignment, assignment, bounds_of, grid, joined, tile};
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
+use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyBytes;
 use std::collections::{BTreeMap, BTreeSet};
 use twinedge::dcel::{Face, FaceKey};
 use twinedge_algorithm::contour::of_faces;
+use twinedge_coverage::tile::Grid;
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::Snap;
 use twinedge_geometry::predicates::MIN_COORDINATE;
@@ -57,16 +59,22 @@ pub(crate) fn pieces(
     found
 }
 
+/// Returns the number of the tile in which a feature begins.
+fn home(grid: &Grid, [x0, y0, ..]: [f64; 4]) -> u64 {
+    u64::from(grid.tile_of(Point::new(x0, y0)).0)
+}
+
 /// Returns the tiles in which geometries begin, and the boxes around these.
 #[pyfunction]
-pub(crate) fn extents(py: Python<'_>, of: GridArguments, geometries: Column<'_>) -> PyResult<Vec<Extent>> {
-    let columns = given(vec![geometries])?;
+pub(crate) fn extents(py: Python<'_>, of: PyBackedBytes, geometries: Column<'_>) -> PyResult<Vec<Extent>> {
+    let columns = [geometries];
+    let columns = given(&columns)?;
     let found = py.detach(|| {
-        let grid = grid(of)?;
+        let grid = grid(&of)?;
         let mut found: BTreeMap<u64, [f64; 4]> = BTreeMap::new();
         for feature in features(columns)? {
-            if let (Some(home), Some(around)) = (grid.tiles_of(&feature).next(), bounds_of(&feature)) {
-                let all = found.entry(number(&grid, home)).or_insert(around);
+            if let Some(around) = bounds_of(&feature) {
+                let all = found.entry(home(&grid, around)).or_insert(around);
                 *all = joined(*all, around);
             }
         }
@@ -80,19 +88,20 @@ pub(crate) fn extents(py: Python<'_>, of: GridArguments, geometries: Column<'_>)
 #[pyfunction]
 pub(crate) fn tiles_near<'py>(
     py: Python<'py>,
-    of: GridArguments,
+    of: PyBackedBytes,
     geometries: Column<'py>,
     extents: Vec<Extent>,
     largest: f64,
 ) -> PyResult<Assignment<'py>> {
-    let columns = given(vec![geometries])?;
+    let columns = [geometries];
+    let columns = given(&columns)?;
     let by = (NEAR * largest).max(NEAR_OF_TINY);
     let found = py.detach(|| {
-        let grid = grid(of)?;
+        let grid = grid(&of)?;
         let (mut places, mut tiles) = (Vec::new(), Vec::new());
         for (place, feature) in features(columns)?.iter().enumerate() {
-            let (Some(home), Some(around)) = (grid.tiles_of(feature).next(), bounds_of(feature)) else { continue };
-            let home = number(&grid, home);
+            let Some(around) = bounds_of(feature) else { continue };
+            let home = home(&grid, around);
             let known = extents.binary_search_by_key(&home, |(tile, _)| *tile).map(|at| extents[at].1);
             let reach = |known: [f64; 4]| (0..2).all(|i| known[i] <= around[i] && around[i + 2] <= known[i + 2]);
             if !known.is_ok_and(reach) {
@@ -114,18 +123,18 @@ pub(crate) fn tiles_near<'py>(
 #[pyfunction]
 pub(crate) fn overlay_tile<'py>(
     py: Python<'py>,
-    of: GridArguments,
+    of: PyBackedBytes,
     at: u64,
     layers: [Layer<'py>; 2],
     largest: f64,
     keeps: [bool; 3],
 ) -> PyResult<Vec<TilePiece<'py>>> {
     let mut read = Vec::new();
-    for (numbers, columns) in layers {
+    for (numbers, columns) in &layers {
         read.push((numbers.as_array().to_vec(), given(columns)?));
     }
     let found = py.detach(|| {
-        let grid = grid(of)?;
+        let grid = grid(&of)?;
         let tile = tile(&grid, at)?;
         let mut builder = Builder::new();
         let mut owners = Vec::new();
@@ -136,7 +145,7 @@ pub(crate) fn overlay_tile<'py>(
                 if !all[layer].insert(number) {
                     return Err(Failure::Value(format!("two features have the number {number}")));
                 }
-                if grid.tiles_of(&feature).next() == Some(tile) {
+                if bounds_of(&feature).is_some_and(|around| home(&grid, around) == u64::from(tile.0)) {
                     beginning[layer].insert(number);
                 }
                 builder.feature(&feature).map_err(Failure::value)?;

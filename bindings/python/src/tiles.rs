@@ -1,42 +1,111 @@
 //! Tiles of maps: geometries as columns of Arrow, summaries and cuts as bytes.
 
 use crate::audit::{Told, options, told};
-use crate::geometries::{Column, features, given};
+use crate::geometries::{Binary, Column, Values, features, given};
 use crate::source::Failure;
-use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyBytes;
-use twinedge_coverage::tile::{Cuts, Found, Grid, Portion, Source, Tile, TileError};
+use twinedge_coverage::tile::{Cuts, Found, Grid, Piece, Portion, Source, Tile, TileError};
 use twinedge_geometry::Point;
-use twinedge_map::{BuildError, Feature, Shape};
+use twinedge_map::{BuildError, Feature};
 use twinedge_report::{audit_portion, merged, refuse_without_cuts};
 
-/// A grid: the corners of its box, and the numbers of columns and rows.
-pub(crate) type GridArguments = ([f64; 4], u32, u32);
-
-/// The positions of geometries, and the tile of each.
+/// The tile of each row, and the position of each row.
 pub(crate) type Assignment<'py> = (Bound<'py, PyArray1<u64>>, Bound<'py, PyArray1<u64>>);
 
-pub(crate) fn grid(([x0, y0, x1, y1], columns, rows): GridArguments) -> Result<Grid, Failure> {
-    Grid::new([x0, y0], [x1, y1], columns, rows).map_err(Failure::value)
-}
+/// The tile of each piece, and the pieces: where they end, after the start of the first, and their bytes.
+type Pieces<'py> = (Bound<'py, PyArray1<i64>>, Bound<'py, PyArray1<i64>>, Bound<'py, PyBytes>);
 
-/// Tiles are numbered row by row, from the lower left.
-pub(crate) fn number(grid: &Grid, tile: Tile) -> u64 {
-    u64::from(tile.row) * u64::from(grid.size()[0]) + u64::from(tile.column)
+pub(crate) fn grid(bytes: &[u8]) -> Result<Grid, Failure> {
+    Grid::from_bytes(bytes).map_err(|error| Failure::Value(format!("grid: {error}")))
 }
 
 pub(crate) fn tile(grid: &Grid, number: u64) -> Result<Tile, Failure> {
-    let columns = u64::from(grid.size()[0]);
-    let none = || Failure::Value(format!("tile: the grid has no tile {number}"));
-    let narrow = |number: u64| u32::try_from(number).map_err(|_| none());
-    let tile = Tile { column: narrow(number % columns)?, row: narrow(number / columns)? };
-    if grid.has(tile) { Ok(tile) } else { Err(none()) }
+    let tile = u32::try_from(number).map(Tile).ok().filter(|tile| grid.has(*tile));
+    tile.ok_or_else(|| Failure::Value(format!("tile: the grid has no tile {number}")))
 }
 
 fn cuts(bytes: &[u8]) -> Result<Cuts, Failure> {
-    serde_json::from_slice(bytes).map_err(|error| Failure::Value(format!("cuts: {error}")))
+    Cuts::from_bytes(bytes).map_err(|error| Failure::Value(format!("cuts: {error}")))
+}
+
+/// Returns the pieces in columns, of any tiles.
+fn pieces(columns: &[Values<'_>]) -> Result<Vec<Piece>, Failure> {
+    let read = |(place, bytes): (usize, Result<Option<&[u8]>, Failure>)| {
+        let wrong = |error| Failure::Value(format!("piece {place}: {error}"));
+        bytes?.map(|bytes| Piece::from_bytes(bytes).map_err(wrong)).transpose()
+    };
+    let all = columns.iter().flat_map(Values::each).enumerate().map(read);
+    all.filter_map(Result::transpose).collect()
+}
+
+fn values<'c>(columns: &'c [Binary<'_>]) -> Result<Vec<Values<'c>>, Failure> {
+    columns.iter().map(Binary::values).collect()
+}
+
+/// Returns the grid that divides a box evenly.
+#[pyfunction]
+pub(crate) fn even_grid(
+    py: Python<'_>,
+    corners: [f64; 4],
+    columns: u32,
+    rows: u32,
+) -> PyResult<Bound<'_, PyBytes>> {
+    let [x0, y0, x1, y1] = corners;
+    let grid = Grid::new([x0, y0], [x1, y1], columns, rows).map_err(Failure::value)?;
+    Ok(PyBytes::new(py, &grid.to_bytes()))
+}
+
+/// One of this many vertices is in the sample of a survey.
+const SAMPLED: u64 = 64;
+
+/// The number of vertices, the box around them, and a sample of them, as rows.
+type Survey<'py> = (u64, Option<[f64; 4]>, Bound<'py, PyArray2<f64>>);
+
+/// Returns what a grid is fitted to. The sample depends on the vertices only, not on how they are spread over columns.
+#[pyfunction]
+pub(crate) fn survey<'py>(py: Python<'py>, geometries: Column<'py>) -> PyResult<Survey<'py>> {
+    let columns = [geometries];
+    let columns = given(&columns)?;
+    let found = py.detach(|| {
+        let (mut vertices, mut around, mut sample) = (0, None, Vec::new());
+        for p in features(columns)?.iter().flat_map(Feature::points) {
+            vertices += 1;
+            let here = [p.x, p.y, p.x, p.y];
+            around = Some(around.map_or(here, |around| joined(around, here)));
+            let (x, y) = p.hash_key();
+            // Multiplied by the golden ratio, as Knuth's hashing does.
+            if (x.rotate_left(32) ^ y).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 32 & (SAMPLED - 1) == 0 {
+                sample.extend([p.x, p.y]);
+            }
+        }
+        Ok::<_, Failure>((vertices, around, sample))
+    });
+    let (vertices, around, sample) = found?;
+    let rows = [sample.len() / 2, 2];
+    Ok((vertices, around, sample.into_pyarray(py).reshape(rows)?))
+}
+
+/// Returns the grid whose tiles each have about `most` vertices, by a sample of them.
+#[pyfunction]
+pub(crate) fn fitted_grid<'py>(
+    py: Python<'py>,
+    sample: PyReadonlyArray2<'py, f64>,
+    most: u64,
+) -> PyResult<Bound<'py, PyBytes>> {
+    let points = sample.as_array().rows().into_iter().map(|row| Point::new(row[0], row[1])).collect();
+    let grid = Grid::fitted(points, (most / SAMPLED) as usize).map_err(Failure::value)?;
+    Ok(PyBytes::new(py, &grid.to_bytes()))
+}
+
+/// Returns the boxes of all tiles, infinite where the grid ends.
+#[pyfunction]
+pub(crate) fn boxes(of: PyBackedBytes) -> PyResult<Vec<[f64; 4]>> {
+    let grid = grid(&of)?;
+    let corners = grid.tiles().filter_map(|tile| grid.corners_of(tile));
+    Ok(corners.map(|[low, high]| [low.x, low.y, high.x, high.y]).collect())
 }
 
 fn refused(error: TileError) -> Failure {
@@ -51,55 +120,42 @@ fn refused(error: TileError) -> Failure {
     }
 }
 
-/// Returns the tiles to give each geometry to.
+/// Returns the pieces of the features that tiles need.
 #[pyfunction]
-pub(crate) fn tiles_of<'py>(
+pub(crate) fn divide<'py>(
     py: Python<'py>,
-    of: GridArguments,
+    of: PyBackedBytes,
+    cut: PyBackedBytes,
+    numbers: PyReadonlyArray1<'py, u32>,
     geometries: Column<'py>,
-    cut: Option<PyBackedBytes>,
-) -> PyResult<Assignment<'py>> {
-    let columns = given(vec![geometries])?;
+) -> PyResult<Pieces<'py>> {
+    let numbers = numbers.as_array().to_vec();
+    let columns = [geometries];
+    let columns = given(&columns)?;
     let found = py.detach(|| {
-        let grid = grid(of)?;
-        let cuts = cut.map(|bytes| cuts(&bytes)).transpose()?;
-        let (mut places, mut tiles) = (Vec::new(), Vec::new());
-        for (place, feature) in features(columns)?.iter().enumerate() {
-            let met: Vec<Tile> = match &cuts {
-                Some(cuts) => cuts.tiles_of(&grid, feature).collect(),
-                None => grid.tiles_of(feature).collect(),
-            };
-            for tile in met {
-                places.push(place as u64);
-                tiles.push(number(&grid, tile));
+        let (grid, cuts) = (grid(&of)?, cuts(&cut)?);
+        let (mut tiles, mut ends, mut bytes) = (Vec::new(), vec![0], Vec::new());
+        for (number, feature) in numbers.into_iter().zip(features(columns)?) {
+            let pieces = cuts.pieces(&grid, number, &feature).map_err(|error| refused(error.into()))?;
+            for piece in pieces {
+                tiles.push(i64::from(piece.tile().0));
+                bytes.extend(piece.to_bytes());
+                ends.push(bytes.len() as i64);
             }
         }
-        Ok::<_, Failure>((places, tiles))
+        Ok::<_, Failure>((tiles, ends, bytes))
     });
-    Ok(assignment(py, found?))
+    let (tiles, ends, bytes) = found?;
+    Ok((tiles.into_pyarray(py), ends.into_pyarray(py), PyBytes::new(py, &bytes)))
 }
 
 pub(crate) fn assignment(py: Python<'_>, (places, tiles): (Vec<u64>, Vec<u64>)) -> Assignment<'_> {
     (places.into_pyarray(py), tiles.into_pyarray(py))
 }
 
-/// Returns the box around geometries; `None` if they have no points.
-#[pyfunction]
-pub(crate) fn bounds(py: Python<'_>, geometries: Column<'_>) -> PyResult<Option<[f64; 4]>> {
-    let columns = given(vec![geometries])?;
-    let found = py.detach(|| Ok::<_, Failure>(features(columns)?.iter().filter_map(bounds_of).reduce(joined)));
-    Ok(found?)
-}
-
 /// Returns the box around a feature; `None` if it has no points.
 pub(crate) fn bounds_of(feature: &Feature) -> Option<[f64; 4]> {
-    let of_points = |points: &[Point]| points.iter().map(|p| [p.x, p.y, p.x, p.y]).reduce(joined);
-    let of_shape = |shape: &Shape| match shape {
-        Shape::Polygon(rings) => rings.iter().filter_map(|ring| of_points(ring)).reduce(joined),
-        Shape::Line(points) => of_points(points),
-        Shape::Point(point) => of_points(&[*point]),
-    };
-    feature.shapes.iter().filter_map(of_shape).reduce(joined)
+    feature.points().map(|p| [p.x, p.y, p.x, p.y]).reduce(joined)
 }
 
 pub(crate) fn joined(one: [f64; 4], other: [f64; 4]) -> [f64; 4] {
@@ -114,35 +170,34 @@ fn source(text: Option<&str>) -> Source {
 #[pyfunction]
 pub(crate) fn no_cuts<'py>(py: Python<'py>, largest: f64, of_source: Option<&str>) -> PyResult<Bound<'py, PyBytes>> {
     let cuts = Cuts::new(largest).map_err(Failure::value)?.with_source(source(of_source));
-    Ok(PyBytes::new(py, &serde_json::to_vec(&cuts).map_err(Failure::value)?))
+    Ok(PyBytes::new(py, &cuts.to_bytes()))
 }
 
 /// Returns the tiles that must search in this round; `None` if all cuts are found.
 #[pyfunction]
-pub(crate) fn tiles_to_search(py: Python<'_>, cut: PyBackedBytes, of: GridArguments) -> PyResult<Vec<u64>> {
+pub(crate) fn tiles_to_search(py: Python<'_>, cut: PyBackedBytes, of: PyBackedBytes) -> PyResult<Vec<u32>> {
     let found = py.detach(|| {
-        let (cuts, grid) = (cuts(&cut)?, grid(of)?);
+        let (cuts, grid) = (cuts(&cut)?, grid(&of)?);
         let concerned = grid.tiles().filter(|tile| cuts.concern(&grid, *tile));
-        Ok::<_, Failure>(concerned.map(|tile| number(&grid, tile)).collect())
+        Ok::<_, Failure>(concerned.map(|tile| tile.0).collect())
     });
     Ok(found?)
 }
 
-/// Returns the cuts that a tile finds in this round, from the features near it.
+/// Returns the cuts that a tile finds in this round, from its pieces.
 #[pyfunction]
 pub(crate) fn search<'py>(
     py: Python<'py>,
     cut: PyBackedBytes,
-    of: GridArguments,
+    of: PyBackedBytes,
     at: u64,
-    geometries: Vec<Column<'py>>,
+    given: Vec<Binary<'py>>,
 ) -> PyResult<Bound<'py, PyBytes>> {
-    let columns = given(geometries)?;
+    let columns = values(&given)?;
     let bytes = py.detach(|| {
-        let (cuts, grid) = (cuts(&cut)?, grid(of)?);
-        let features = features(columns)?;
-        let found = cuts.search(&grid, tile(&grid, at)?, (0..).zip(&features)).map_err(refused)?;
-        serde_json::to_vec(&found).map_err(Failure::value)
+        let (cuts, grid) = (cuts(&cut)?, grid(&of)?);
+        let found = cuts.search(&grid, tile(&grid, at)?, &pieces(&columns)?).map_err(refused)?;
+        Ok::<_, Failure>(found.to_bytes())
     });
     Ok(PyBytes::new(py, &bytes?))
 }
@@ -153,40 +208,37 @@ pub(crate) fn take(py: Python<'_>, cut: PyBackedBytes, found: Vec<PyBackedBytes>
     let bytes = py.detach(|| {
         let mut cuts = cuts(&cut)?;
         let read = |(place, bytes): (usize, &PyBackedBytes)| {
-            serde_json::from_slice(bytes).map_err(|error| Failure::Value(format!("found {place}: {error}")))
+            Found::from_bytes(bytes).map_err(|error| Failure::Value(format!("found {place}: {error}")))
         };
         let found: Vec<Found> = found.iter().enumerate().map(read).collect::<Result<_, _>>()?;
         cuts.take(found).map_err(refused)?;
-        serde_json::to_vec(&cuts).map_err(Failure::value)
+        Ok::<_, Failure>(cuts.to_bytes())
     });
     Ok(PyBytes::new(py, &bytes?))
 }
 
-/// Returns the summary of a tile, from the features that meet it, each with its number in the map; the source is that of the cuts, if there are some.
+/// Returns the summary of a tile, from its pieces; the source is that of the cuts, if there are some.
 #[pyfunction]
 #[allow(clippy::too_many_arguments, reason = "they are those of Python")]
 pub(crate) fn summarise<'py>(
     py: Python<'py>,
-    of: GridArguments,
+    of: PyBackedBytes,
     at: u64,
-    numbers: PyReadonlyArray1<'py, u32>,
-    geometries: Vec<Column<'_>>,
+    given: Vec<Binary<'py>>,
     asked: &str,
     cut: Option<PyBackedBytes>,
     of_source: Option<&str>,
 ) -> PyResult<Bound<'py, PyBytes>> {
-    let numbers = numbers.as_array().to_vec();
-    let columns = given(geometries)?;
+    let columns = values(&given)?;
     let bytes = py.detach(|| {
-        let grid = grid(of)?;
+        let grid = grid(&of)?;
         let limits = options(asked, None)?.coverage.limits.limits();
-        let (features, tile) = (features(columns)?, tile(&grid, at)?);
-        let given = numbers.iter().copied().zip(&features);
+        let (pieces, tile) = (pieces(&columns)?, tile(&grid, at)?);
         let cuts = cut.map(|bytes| cuts(&bytes)).transpose()?;
         if cuts.as_ref().is_some_and(|cuts| !cuts.is_complete()) {
             return Err(Failure::Value("cuts: not all of them are found yet".to_owned()));
         }
-        let portion = Portion::new(&grid, tile, given, &limits, cuts.as_ref()).map_err(refused)?;
+        let portion = Portion::new(&grid, tile, &pieces, &limits, cuts.as_ref()).map_err(refused)?;
         Ok(if cuts.is_some() { portion } else { portion.with_source(source(of_source)) }.to_bytes())
     });
     Ok(PyBytes::new(py, &bytes?))
@@ -215,14 +267,14 @@ pub(crate) fn merge(py: Python<'_>, summaries: Vec<PyBackedBytes>) -> PyResult<O
 pub(crate) fn finish(
     py: Python<'_>,
     summaries: Vec<PyBackedBytes>,
-    of: Option<GridArguments>,
+    of: Option<PyBackedBytes>,
     asked: &str,
     accept: Option<&str>,
 ) -> PyResult<Told> {
     let found = py.detach(|| {
         let options = options(asked, accept)?;
         let mut all = sum(&summaries)?;
-        if let Some(grid) = of.map(grid).transpose()? {
+        if let Some(grid) = of.map(|bytes| grid(&bytes)).transpose()? {
             let limits = options.coverage.limits.limits();
             let known = all.as_ref().map(|all| all.summary().tiles().to_vec()).unwrap_or_default();
             let (is_cut, source) =

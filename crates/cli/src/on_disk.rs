@@ -4,76 +4,78 @@ use std::borrow::Cow;
 use std::fs::File;
 use std::io::{self, BufRead as _, BufReader, BufWriter, Read, Seek as _, SeekFrom, Write as _};
 use std::sync::{Mutex, PoisonError};
+use twinedge_coverage::tile::{Cuts, Grid, Piece, Tile};
 use twinedge_geometry::Point;
 use twinedge_map::{Feature, Shape};
 use twinedge_report::{Division, InMemory, Shelf};
 
-/// The number of bytes to collect before writing.
-const COLLECTED: usize = 32 << 20;
+/// The greatest number of bytes to collect before writing, and the part of the memory for them.
+const COLLECTED: u64 = 32 << 20;
+const PART: u64 = 8;
 
 const POLYGON: u8 = 0;
 const LINE: u8 = 1;
 const POINT: u8 = 2;
 
-/// Features in unnamed files, which disappear when the program ends: first sequentially, then the features of each tile in stretches.
+/// Features in unnamed files, which disappear when the program ends: first sequentially, then the pieces of each tile in stretches.
 pub(crate) struct OnDisk {
     all: BufWriter<File>,
     by_tiles: Mutex<File>,
     /// The stretches of the file for each tile, as offset and length.
     stretches: Vec<Vec<(u64, usize)>>,
+    /// The number of bytes to collect before writing.
+    collects: usize,
 }
 
-pub(crate) type NewShelf = fn() -> io::Result<Box<dyn Shelf>>;
-
-/// Returns the shelf for a division: on disk if memory is limited.
-pub(crate) fn shelf_for(division: Division) -> NewShelf {
-    match division {
-        Division::Within(_) => || Ok(Box::new(OnDisk::new()?)),
-        Division::Across(_) => || Ok(Box::<InMemory>::default()),
-    }
+/// Returns an empty shelf for a division: on disk if memory is limited.
+pub(crate) fn shelf_for(division: Division) -> io::Result<Box<dyn Shelf>> {
+    Ok(match division {
+        Division::Within(bytes) => Box::new(OnDisk::new((bytes / PART).min(COLLECTED) as usize)?),
+        Division::Across(_) => Box::<InMemory>::default(),
+    })
 }
 
 impl OnDisk {
     /// Creates an empty shelf in the folder for temporary files.
-    pub(crate) fn new() -> io::Result<Self> {
+    fn new(collects: usize) -> io::Result<Self> {
         let all = BufWriter::new(tempfile::tempfile()?);
-        Ok(Self { all, by_tiles: Mutex::new(tempfile::tempfile()?), stretches: Vec::new() })
+        Ok(Self { all, by_tiles: Mutex::new(tempfile::tempfile()?), stretches: Vec::new(), collects })
     }
 
-    /// Calls `show` for each feature in order, with its bytes.
-    fn read_all(&mut self, show: &mut dyn FnMut(&Feature, &[u8]) -> io::Result<()>) -> io::Result<()> {
+    /// Calls `show` for each feature, in order.
+    fn read_all(&mut self, show: &mut dyn FnMut(&Feature) -> io::Result<()>) -> io::Result<()> {
         self.all.flush()?;
         let mut reader = BufReader::new(self.all.get_ref());
         reader.rewind()?;
         while !reader.fill_buf()?.is_empty() {
-            let feature = read_feature(&mut reader)?;
-            show(&feature, &bytes(&feature)?)?;
+            show(&read_feature(&mut reader)?)?;
         }
         Ok(())
     }
 }
 
-/// The unwritten features of each tile, and the file to write them to.
+/// The unwritten pieces of each tile, and the file to write them to.
 struct Collected {
     tiles: Vec<Vec<u8>>,
     size: usize,
+    most: usize,
     file: File,
     end: u64,
     stretches: Vec<Vec<(u64, usize)>>,
 }
 
 impl Collected {
-    fn new(tiles: usize) -> io::Result<Self> {
+    fn new(tiles: usize, most: usize) -> io::Result<Self> {
         let (tiles, stretches) = (vec![Vec::new(); tiles], vec![Vec::new(); tiles]);
-        Ok(Self { tiles, size: 0, file: tempfile::tempfile()?, end: 0, stretches })
+        Ok(Self { tiles, size: 0, most, file: tempfile::tempfile()?, end: 0, stretches })
     }
 
-    /// Adds a feature to a tile, and writes everything collected if it is too much.
-    fn add(&mut self, tile: usize, number: u32, bytes: &[u8]) -> io::Result<()> {
-        self.tiles[tile].extend(number.to_le_bytes());
+    /// Adds a piece to a tile, and writes everything collected if it is too much.
+    fn add(&mut self, tile: usize, bytes: &[u8]) -> io::Result<()> {
+        put_length(bytes.len(), &mut self.tiles[tile])?;
         self.tiles[tile].extend(bytes);
         self.size += bytes.len();
-        if self.size > COLLECTED { self.write() } else { Ok(()) }
+        if self.size > self.most { self.write() } else { Ok(()) }
     }
 
     fn write(&mut self) -> io::Result<()> {
@@ -95,43 +97,47 @@ impl Shelf for OnDisk {
     }
 
     fn each(&mut self, show: &mut dyn FnMut(&Feature)) -> io::Result<()> {
-        self.read_all(&mut |feature, _| {
+        self.read_all(&mut |feature| {
             show(feature);
             Ok(())
         })
     }
 
-    fn file(&mut self, windows: &[[Point; 2]], tiles_of: &dyn Fn(&Feature) -> Vec<usize>) -> io::Result<()> {
-        let mut collected = Collected::new(windows.len())?;
-        let mut number = 0_u32;
-        self.read_all(&mut |feature, bytes| {
-            tiles_of(feature).into_iter().try_for_each(|tile| collected.add(tile, number, bytes))?;
+    fn file(&mut self, grid: &Grid, cuts: &Cuts) -> io::Result<()> {
+        let mut collected = Collected::new(grid.len(), self.collects)?;
+        let mut number = 0;
+        self.read_all(&mut |feature| {
+            for piece in cuts.pieces(grid, number, feature).map_err(io::Error::other)? {
+                collected.add(piece.tile().0 as usize, &piece.to_bytes())?;
+            }
             number += 1;
             Ok(())
         })?;
         collected.write()?;
         let Collected { file, stretches, .. } = collected;
         // This frees the space of the previous file.
-        *self = Self { by_tiles: Mutex::new(file), stretches, ..Self::new()? };
+        *self = Self { by_tiles: Mutex::new(file), stretches, ..Self::new(self.collects)? };
         Ok(())
     }
 
-    fn of_tile(&self, tile: usize) -> io::Result<Vec<(u32, Cow<'_, Feature>)>> {
+    fn of_tile(&self, tile: Tile) -> io::Result<Vec<Cow<'_, Piece>>> {
         let mut bytes = Vec::new();
         let mut file = self.by_tiles.lock().unwrap_or_else(PoisonError::into_inner);
-        for (start, length) in self.stretches.get(tile).into_iter().flatten() {
+        for (start, length) in self.stretches.get(tile.0 as usize).into_iter().flatten() {
             let before = bytes.len();
             bytes.resize(before + length, 0);
             file.seek(SeekFrom::Start(*start))?;
             file.read_exact(&mut bytes[before..])?;
         }
         drop(file);
-        let (mut rest, mut features) = (&bytes[..], Vec::new());
+        let (mut rest, mut pieces) = (&bytes[..], Vec::new());
         while !rest.is_empty() {
-            let number = read_number(&mut rest)?;
-            features.push((number, Cow::Owned(read_feature(&mut rest)?)));
+            let length = read_number(&mut rest)? as usize;
+            let (piece, others) = rest.split_at_checked(length).ok_or(io::ErrorKind::UnexpectedEof)?;
+            pieces.push(Cow::Owned(Piece::from_bytes(piece).map_err(io::Error::other)?));
+            rest = others;
         }
-        Ok(features)
+        Ok(pieces)
     }
 }
 
@@ -213,13 +219,16 @@ fn read_number(reader: &mut impl Read) -> io::Result<u32> {
 
 #[cfg(test)]
 mod tests {
-    use super::{COLLECTED, Collected, OnDisk, Shelf as _};
+    use super::{Collected, OnDisk, Shelf as _};
+    use std::borrow::Cow;
+    use twinedge_coverage::tile::{Cuts, Grid};
     use twinedge_geometry::Point;
     use twinedge_map::{Feature, Shape};
+    use twinedge_report::InMemory;
 
     #[test]
-    fn features_come_back_by_tiles_as_they_were() {
-        let hole = [[0.1, -0.0], [1e-300, 2.0], [3.0, 4.0]];
+    fn features_and_their_pieces_come_back_as_they_were() {
+        let hole = [[0.1, -0.0], [1e-100, 2.0], [3.0, 4.0]];
         let shapes = [
             Shape::polygon([[0.0, 0.0], [9.0, 0.0], [0.0, 9.0]]).hole(hole),
             Shape::line([[1.0, 1.0], [2.0, 2.0]]),
@@ -227,36 +236,35 @@ mod tests {
         ];
         let of = |shapes: &[Shape]| Feature { shapes: shapes.to_vec(), ..Feature::default() };
         let features = [of(&shapes), of(&[]), of(&shapes[1..])];
-        let mut shelf = OnDisk::new().expect("there is room");
+        // Each piece is written at once.
+        let (mut shelf, mut in_memory) = (OnDisk::new(1).expect("there is room"), InMemory::default());
         for feature in &features {
             shelf.put(feature.clone()).expect("there is room");
+            in_memory.put(feature.clone()).expect("there is room");
         }
         let mut seen = Vec::new();
         shelf.each(&mut |feature| seen.push(feature.clone())).expect("it was written");
         assert_eq!(seen, features);
-        // The first feature is in two tiles, the second in none.
-        let tiles_of = |feature: &Feature| match feature.shapes.len() {
-            3 => vec![0, 2],
-            2 => vec![2],
-            _ => Vec::new(),
-        };
-        shelf.file(&[[Point::default(); 2]; 3], &tiles_of).expect("there is room");
-        let numbers = |tile: usize| {
-            let of_tile = shelf.of_tile(tile).expect("it was written");
-            assert!(of_tile.iter().all(|(number, feature)| **feature == features[*number as usize]));
-            of_tile.iter().map(|(number, _)| *number).collect::<Vec<_>>()
-        };
-        assert_eq!([0, 1, 2].map(numbers), [vec![0], vec![], vec![0, 2]]);
+        let grid = Grid::new([0.0, 0.0], [4.0, 4.0], 2, 2).expect("a grid");
+        let cuts = Cuts::new(9.0).expect("finite");
+        shelf.file(&grid, &cuts).expect("there is room");
+        in_memory.file(&grid, &cuts).expect("there is room");
+        for tile in grid.tiles() {
+            let [these, those] = [shelf.of_tile(tile), in_memory.of_tile(tile)].map(|found| {
+                found.expect("it was written").into_iter().map(Cow::into_owned).collect::<Vec<_>>()
+            });
+            assert!(!these.is_empty() && these == those, "{tile}");
+        }
     }
 
     #[test]
     fn a_large_feature_is_not_held_once_for_each_of_its_tiles() {
-        let mut collected = Collected::new(5).expect("there is room");
-        let large = vec![0; COLLECTED / 4 * 3];
+        let most = 1 << 10;
+        let mut collected = Collected::new(5, most).expect("there is room");
         for tile in 0..5 {
-            collected.add(tile, 0, &large).expect("there is room");
+            collected.add(tile, &vec![0; most / 4 * 3]).expect("there is room");
             let held: usize = collected.tiles.iter().map(Vec::len).sum();
-            assert!(held <= COLLECTED, "{held}");
+            assert!(held <= most, "{held}");
         }
     }
 }

@@ -1,9 +1,13 @@
 //! Features as read from a map file, before a map is built from them.
 
+use alloc::boxed::Box;
 use alloc::string::String;
 use alloc::vec::Vec;
 
+use crate::construct::BuildError;
+use crate::summary::Position;
 use twinedge_geometry::Point;
+use twinedge_geometry::predicates::in_range;
 
 /// One part of a feature, as in its file.
 ///
@@ -69,4 +73,55 @@ pub struct Feature {
     pub id: Option<String>,
     /// The parts, in the order of the file; empty if the feature has no geometry.
     pub shapes: Vec<Shape>,
+}
+
+impl Feature {
+    /// Returns all points, as often as they are drawn.
+    ///
+    /// ```
+    /// use twinedge_map::{Feature, Shape};
+    ///
+    /// let square = Shape::polygon([[0.0, 0.0], [9.0, 0.0], [9.0, 9.0], [0.0, 9.0]]);
+    /// let feature = Feature { shapes: vec![square, Shape::line([[1.0, 1.0], [2.0, 1.0]])], ..Feature::default() };
+    /// assert_eq!(feature.points().count(), 7);
+    /// ```
+    pub fn points(&self) -> impl Iterator<Item = Point> + '_ {
+        self.shapes.iter().flat_map(|shape| -> Box<dyn Iterator<Item = Point> + '_> {
+            match shape {
+                Shape::Polygon(rings) => Box::new(rings.iter().flatten().copied()),
+                Shape::Line(points) => Box::new(points.iter().copied()),
+                Shape::Point(point) => Box::new(core::iter::once(*point)),
+            }
+        })
+    }
+
+    /// Checks that all coordinates are in the range in which predicates are exact. `number` is the feature's number in its map. O(points).
+    ///
+    /// # Errors
+    /// [`BuildError::NotFinite`] and [`BuildError::OutOfRange`], with the position.
+    pub fn check(&self, number: usize) -> Result<(), BuildError> {
+        let point = |p: &Point, position: Position| {
+            let (x, y) = (p.x, p.y);
+            if in_range(*p) {
+                Ok(())
+            } else if !x.is_finite() || !y.is_finite() {
+                Err(BuildError::NotFinite { position, x, y })
+            } else {
+                Err(BuildError::OutOfRange { position, x, y })
+            }
+        };
+        let chain = |points: &[Point], at: Position| {
+            points.iter().enumerate().try_for_each(|(i, p)| point(p, Position { point: i, ..at }))
+        };
+        self.shapes.iter().enumerate().try_for_each(|(shape, what)| {
+            let at = Position { feature: number, shape, ..Position::default() };
+            match what {
+                Shape::Polygon(rings) => {
+                    rings.iter().enumerate().try_for_each(|(ring, points)| chain(points, Position { ring, ..at }))
+                }
+                Shape::Line(points) => chain(points, at),
+                Shape::Point(p) => point(p, at),
+            }
+        })
+    }
 }

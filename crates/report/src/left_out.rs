@@ -7,8 +7,7 @@ use twinedge_geometry::Point;
 
 /// Refuses a summary that does not cover all tiles. O(tiles of the summary).
 pub(crate) fn refuse_missing(summary: &Summary) -> Result<(), Error> {
-    let [columns, rows] = summary.grid().size().map(u64::from);
-    let count = (columns * rows).saturating_sub(summary.tiles().len() as u64);
+    let count = summary.grid().len().saturating_sub(summary.tiles().len()) as u64;
     let is_missing = |tile: &Tile| summary.tiles().binary_search(tile).is_err();
     let missing: Vec<Tile> = summary.grid().tiles().filter(is_missing).take(NAMED).collect();
     if missing.is_empty() { Ok(()) } else { Err(Error::Missing { tiles: missing, count }) }

@@ -2,10 +2,10 @@
 
 use std::borrow::Cow;
 use std::io;
-use twinedge_geometry::Point;
+use twinedge_coverage::tile::{Cuts, Grid, Piece, Tile};
 use twinedge_map::Feature;
 
-/// Stores the features of a map, and returns the features of a tile.
+/// Stores the features of a map, and returns the pieces of them that a tile needs.
 pub trait Shelf: Send + Sync {
     /// Stores the next feature.
     ///
@@ -19,24 +19,24 @@ pub trait Shelf: Send + Sync {
     /// Returns the storage's errors.
     fn each(&mut self, show: &mut dyn FnMut(&Feature)) -> io::Result<()>;
 
-    /// Files each feature under its tiles. `windows` has, for each tile, the corners of a box around the features to file under it.
+    /// Files each feature under the tiles of a grid. Afterwards there are only its pieces.
     ///
     /// # Errors
-    /// Returns the storage's errors.
-    fn file(&mut self, windows: &[[Point; 2]], tiles_of: &dyn Fn(&Feature) -> Vec<usize>) -> io::Result<()>;
+    /// Returns the storage's errors, and [`Cuts::pieces`]'s errors as others.
+    fn file(&mut self, grid: &Grid, cuts: &Cuts) -> io::Result<()>;
 
-    /// Returns the features filed under a tile with their numbers, in order; it may return others as well.
+    /// Returns the pieces filed under a tile; it may return others as well.
     ///
     /// # Errors
-    /// Returns the storage's errors.
-    fn of_tile(&self, tile: usize) -> io::Result<Vec<(u32, Cow<'_, Feature>)>>;
+    /// As [`file`](Self::file).
+    fn of_tile(&self, tile: Tile) -> io::Result<Vec<Cow<'_, Piece>>>;
 }
 
 /// Features in memory.
 #[derive(Debug, Default)]
 pub struct InMemory {
     features: Vec<Feature>,
-    filed: Vec<Vec<u32>>,
+    filed: Vec<Vec<Piece>>,
 }
 
 impl InMemory {
@@ -64,18 +64,17 @@ impl Shelf for InMemory {
         Ok(())
     }
 
-    fn file(&mut self, windows: &[[Point; 2]], tiles_of: &dyn Fn(&Feature) -> Vec<usize>) -> io::Result<()> {
-        self.filed = vec![Vec::new(); windows.len()];
-        for (number, feature) in (0..).zip(&self.features) {
-            for tile in tiles_of(feature) {
-                self.filed[tile].push(number);
+    fn file(&mut self, grid: &Grid, cuts: &Cuts) -> io::Result<()> {
+        self.filed = vec![Vec::new(); grid.len()];
+        for (number, feature) in (0..).zip(std::mem::take(&mut self.features)) {
+            for piece in cuts.pieces(grid, number, &feature).map_err(io::Error::other)? {
+                self.filed[piece.tile().0 as usize].push(piece);
             }
         }
         Ok(())
     }
 
-    fn of_tile(&self, tile: usize) -> io::Result<Vec<(u32, Cow<'_, Feature>)>> {
-        let filed = self.filed.get(tile).into_iter().flatten();
-        Ok(filed.map(|number| (*number, Cow::Borrowed(&self.features[*number as usize]))).collect())
+    fn of_tile(&self, tile: Tile) -> io::Result<Vec<Cow<'_, Piece>>> {
+        Ok(self.filed.get(tile.0 as usize).into_iter().flatten().map(Cow::Borrowed).collect())
     }
 }

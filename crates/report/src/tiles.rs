@@ -19,14 +19,14 @@ use crate::words::made_without;
 use serde_json::{Map, Value, json, to_value};
 use twinedge::validate::{Rule, Violation};
 use twinedge_coverage::tile::{
-    AuditError, Crossing, CrossingKind, Cuts, Grid, GridError, Outcome, Portion, SeamFault, SeamRule, Tile, Uneven,
+    AuditError, Crossing, CrossingKind, Cuts, Grid, Outcome, Portion, SeamFault, SeamRule, Uneven,
 };
 use twinedge_coverage::{CoverageRule, Defect, Limits, tile};
 use twinedge_diagnosis::{Diagnosis, Figures, Kind, Records, RuleLine, middle};
 use twinedge_geometry::Point;
 use twinedge_layers::Crs;
 use twinedge_layers::io::ReadSummary;
-use twinedge_map::{BuildError, BuildSummary, Shape};
+use twinedge_map::{BuildError, BuildSummary};
 
 /// The way to divide a map into tiles.
 #[derive(Clone, Copy, Debug)]
@@ -41,8 +41,9 @@ pub enum Division {
 const BYTES: u64 = 700;
 const AT_ONCE: u64 = 3;
 
-/// The finest grid has 2 to this power of columns and rows.
-const FINEST: u32 = 7;
+/// The size of a sample of vertices, and the number of tiles above which each would cost more than it saves.
+const SAMPLE: usize = 1 << 16;
+const MOST_TILES: u64 = 1 << 12;
 
 /// Divides a map on a shelf into tiles, judges them and merges their summaries.
 pub(crate) fn audit(
@@ -56,7 +57,7 @@ pub(crate) fn audit(
     let corners = imported.noted.corners();
     let grid = match division {
         Division::Across(across) => grid_of(corners, [across; 2])?,
-        Division::Within(bytes) => fitting(corners, shelf, bytes)?,
+        Division::Within(bytes) => fitting(shelf, bytes)?,
     };
     let outcome = judged(&grid, corners, &asked.coverage.limits.limits(), shelf, || stage("judging the tiles"))?;
     let summary = &mut imported.summary;
@@ -87,60 +88,42 @@ pub(crate) fn judged(
     filed: impl FnOnce(),
 ) -> Result<Outcome, Error> {
     let cuts = no_cuts(corners)?;
-    let number = |tile| number_of(grid, tile);
-    let windows: Vec<[Point; 2]> = grid.tiles().map(|tile| cuts.window(grid, tile, [])).collect();
-    shelf.file(&windows, &|feature| cuts.tiles_of(grid, feature).map(number).collect())?;
+    shelf.file(grid, &cuts)?;
     filed();
-    Ok(tile::audit(grid, limits, cuts, |tile| shelf.of_tile(number(tile)))?)
-}
-
-const fn number_of(grid: &Grid, tile: Tile) -> usize {
-    tile.row as usize * grid.size()[0] as usize + tile.column as usize
+    Ok(tile::audit(grid, limits, cuts, |tile| shelf.of_tile(tile))?)
 }
 
 fn numbered(defects: &[(u32, Vec<Defect>)]) -> Vec<(usize, Vec<Defect>)> {
     defects.iter().map(|(feature, found)| (*feature as usize, found.clone())).collect()
 }
 
-/// Returns the coarsest grid of 1, 2, 4 … columns and rows whose tiles each fit into `bytes`. If there is none, returns the coarsest grid whose
-/// largest tile is at most a quarter larger than the smallest possible largest tile, since each tile costs memory.
-pub(crate) fn fitting(corners: Option<[Point; 2]>, shelf: &mut dyn Shelf, bytes: u64) -> Result<Grid, Error> {
-    let mut sizes = Vec::new();
-    for power in 0..=FINEST {
-        // Coordinates that are not distinct cannot be divided.
-        if let Ok(grid) = grid_of(corners, [1 << power; 2]) {
-            sizes.push((grid, vec![0_u64; 1 << (2 * power)]));
-        }
-    }
+/// Returns a grid whose tiles each fit into `bytes`, as far as a sample of the vertices shows.
+pub(crate) fn fitting(shelf: &mut dyn Shelf, bytes: u64) -> Result<Grid, Error> {
+    let (mut sample, mut step, mut count) = (Vec::new(), 1_u64, 0_u64);
     shelf.each(&mut |feature| {
-        let vertices = feature.shapes.iter().map(|shape| vertices(shape) as u64).sum::<u64>();
-        for (grid, given) in &mut sizes {
-            for tile in grid.tiles_of(feature) {
-                given[number_of(grid, tile)] += vertices;
+        for point in feature.points() {
+            if count.is_multiple_of(step) {
+                sample.push(point);
+            }
+            count += 1;
+            if sample.len() == SAMPLE {
+                // Every second one of the sample, and of what follows.
+                let mut is_kept = false;
+                sample.retain(|_| {
+                    is_kept = !is_kept;
+                    is_kept
+                });
+                step *= 2;
             }
         }
     })?;
-    let largest = |given: &[u64]| given.iter().copied().max().unwrap_or_default();
-    let fits = |given: &[u64]| largest(given).saturating_mul(BYTES * AT_ONCE) <= bytes;
-    let fitting = sizes.iter().find(|(_, given)| fits(given));
-    let smallest = || {
-        let least = sizes.iter().map(|(_, given)| largest(given)).min()?;
-        sizes.iter().find(|(_, given)| largest(given) - least <= least / 4)
-    };
-    fitting.or_else(smallest).map(|(grid, _)| *grid).ok_or(Error::Grid(GridError::Lines))
-}
-
-fn vertices(shape: &Shape) -> usize {
-    match shape {
-        Shape::Polygon(rings) => rings.iter().map(Vec::len).sum(),
-        Shape::Line(points) => points.len(),
-        Shape::Point(_) => 1,
-    }
+    let most = (bytes / (BYTES * AT_ONCE)).max(count / MOST_TILES);
+    Ok(Grid::fitted(sample, (most / step) as usize)?)
 }
 
 /// Reports the audit of all tiles. Features are known by their numbers.
 pub(crate) fn audit_portion(portion: Portion, crs: Option<Crs>, asked: &Options) -> Result<AuditReport, Error> {
-    let grid = *portion.summary().grid();
+    let grid = portion.summary().grid().clone();
     refuse_missing(portion.summary())?;
     let without = portion.without_cuts();
     let (summary, cut) = portion.into_summaries();
@@ -161,12 +144,11 @@ pub(crate) fn audit_portion(portion: Portion, crs: Option<Crs>, asked: &Options)
     if let Some(corners) = outcome.corners {
         noted.reach(corners, &outcome.extents);
     }
-    let [columns, rows] = grid.size();
     let mut read = ReadSummary::default();
     read.polygons = 1;
     read.other_crs = usize::from(crs.is_some());
     let imported = Imported {
-        name: counted(columns as usize * rows as usize, "tile"),
+        name: counted(grid.len(), "tile"),
         read,
         map: names(std::iter::empty())?,
         summary: BuildSummary::default(),
@@ -190,8 +172,10 @@ pub(crate) fn audit_portion(portion: Portion, crs: Option<Crs>, asked: &Options)
 }
 
 pub(crate) fn size(grid: &Grid) -> Value {
-    let [columns, rows] = grid.size();
-    json!({ "columns": columns, "rows": rows })
+    match grid.size() {
+        Some([columns, rows]) => json!({ "count": grid.len(), "columns": columns, "rows": rows }),
+        None => json!({ "count": grid.len() }),
+    }
 }
 
 /// Refuses a file whose header declares that its edges, between longitudes and latitudes in a box, are great circles: tiles have straight edges.
@@ -383,18 +367,18 @@ fn uneven(one: &Uneven) -> Diagnosis {
 }
 
 fn seam(one: &SeamFault) -> Diagnosis {
-    let (tile, side) = (one.tile, format!("{:?}", one.side).to_lowercase());
     let what = match one.rule {
-        SeamRule::Contact => "has an edge there that its neighbour has not",
-        SeamRule::Order => "has edges there in another order than its neighbour",
-        _ => "and its neighbour name different features there",
+        SeamRule::Contact => "the first has an edge there that the second lacks",
+        SeamRule::Order => "they have edges there in different orders",
+        _ => "they name different features there",
     };
     let at = one.edge.map(|ends| format!(", at the edge {}", edge(ends))).unwrap_or_default();
     let places = one.edge.map(|ends| ends.to_vec()).unwrap_or_default();
-    violation(one.rule.id(), one.rule.name(), format!("{side} side of tile {tile}: the tile {what}{at}"), &places)
+    let (tile, beyond) = (one.tile, one.beyond);
+    violation(one.rule.id(), one.rule.name(), format!("tiles {tile} and {beyond}: {what}{at}"), &places)
 }
 
 fn not_given(feature: u32) -> Diagnosis {
-    let message = format!("feature {feature} was not given to every tile that the box around it meets");
+    let message = format!("a tile was not given its piece of feature {feature}, or was given another one");
     violation(SeamRule::Features.id(), "not_given", message, &[])
 }

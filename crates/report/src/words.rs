@@ -130,9 +130,9 @@ pub mod style {
 /// The number of tiles named in a message.
 pub(crate) const NAMED: usize = 10;
 
-/// Names the first tiles by their columns and rows, and counts the rest of `count`.
+/// Names the first tiles, and counts the rest of `count`.
 pub(crate) fn in_words(tiles: &[Tile], count: u64) -> String {
-    let named = tiles.iter().take(NAMED).map(|tile| format!("({tile})"));
+    let named = tiles.iter().take(NAMED).map(Tile::to_string);
     let mut named: Vec<String> = named.collect();
     let more = count.saturating_sub(named.len() as u64);
     named.extend((more > 0).then(|| format!("{} more", grouped(more))));

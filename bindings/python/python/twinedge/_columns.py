@@ -97,8 +97,8 @@ def _column(batch: pa.RecordBatch, name: str) -> pa.Array:
     return batch.column(at)
 
 
-def _geometries(batch: pa.RecordBatch, name: str) -> list[bytes | None] | dict[str, Any]:
-    """The geometries: well-known binary, or the arrays of GeoArrow, which are not copied."""
+def _geometries(batch: pa.RecordBatch, name: str) -> dict[str, Any]:
+    """The geometries: well-known binary, or the arrays of GeoArrow. They are not copied."""
     column, field = _column(batch, name), batch.schema.field(name)
     extension: str | None = getattr(field.type, "extension_name", None)
     about = field.type.__arrow_ext_serialize__() if extension is not None else b""
@@ -112,7 +112,7 @@ def _geometries(batch: pa.RecordBatch, name: str) -> list[bytes | None] | dict[s
         raise ValueError(f"{name}: the metadata say that edges are {edges}; tiles take edges as straight, also of this column if it is given without these metadata")
     kind = (extension or "").removeprefix("geoarrow.")
     if kind not in _DEPTHS:
-        return _wkb(batch, name)
+        return _binary(batch, name)
     inner = getattr(column, "storage", column)
     missing = inner.is_null().to_numpy(zero_copy_only=False) if inner.null_count else None
     length, offsets = len(inner), []
@@ -153,13 +153,48 @@ def _coordinates(points: pa.Array, may_lack: bool, wrong: str) -> tuple[Any, Any
     return (x, y) if step == 1 else (x[::step], y[1::step])
 
 
-def _wkb(batch: pa.RecordBatch, name: str) -> list[bytes | None]:
+def _binary(batch: pa.RecordBatch, name: str) -> dict[str, Any]:
+    """The values of a binary column, which are not copied, unless they are in a form without offsets."""
+    import pyarrow as pa
+
     column = _column(batch, name)
-    found: list[bytes | None] = getattr(column, "storage", column).to_pylist()
+    column = getattr(column, "storage", column)
+    if pa.types.is_null(column.type) or pa.types.is_fixed_size_binary(column.type) or pa.types.is_binary_view(column.type):
+        column = column.cast(pa.large_binary())
+    if not (pa.types.is_binary(column.type) or pa.types.is_large_binary(column.type)):
+        raise TypeError(f"{name}: expected binary values, such as well-known binary, not {column.type}")
+    width = np.int64 if pa.types.is_large_binary(column.type) else np.int32
+    _, offsets, data = column.buffers()
+    ends = np.frombuffer(offsets, width)[column.offset : column.offset + len(column) + 1] if offsets and len(column) else np.zeros(1)
+    return {
+        "data": np.frombuffer(data, np.uint8) if data else np.empty(0, np.uint8),
+        "ends": ends.astype(np.int64),
+        "missing": column.is_null().to_numpy(zero_copy_only=False) if column.null_count else None,
+    }
+
+
+def _bytes(batches: Any, name: str) -> list[bytes]:
+    """The values of a binary column in several batches or tables that are not null."""
+    found = [one for given in batches for batch in _batches(given) for one in _column(batch, name).to_pylist()]
     wrong = next((one for one in found if not isinstance(one, (bytes, type(None)))), None)
     if wrong is not None:
-        raise TypeError(f"{name}: expected well-known binary or GeoArrow, not {type(wrong).__name__}")
-    return found
+        raise TypeError(f"{name}: expected bytes, not {type(wrong).__name__}")
+    return [one for one in found if one is not None]
+
+
+def _slices(ends: Any, data: bytes) -> Iterator[tuple[slice, pa.Array]]:
+    """Binary values, given by their ends, in stretches that each fit into one column."""
+    import pyarrow as pa
+
+    start, last = 0, len(ends) - 1
+    while start < last or start == 0:
+        end = min(max(int(np.searchsorted(ends, ends[start] + _MOST, "right")) - 1, start + 1), last)
+        offsets = (ends[start : end + 1] - ends[start]).astype(np.int32)
+        values = pa.py_buffer(data).slice(int(ends[start]), int(ends[end] - ends[start]))
+        yield slice(start, end), pa.Array.from_buffers(pa.binary(), end - start, [None, pa.py_buffer(offsets.tobytes()), values])
+        if end == last:
+            return
+        start = end
 
 
 def _numbers(batch: pa.RecordBatch, name: str) -> Any:

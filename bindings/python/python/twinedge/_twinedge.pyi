@@ -14,21 +14,24 @@ __all__ = [
     "__version__",
     "audit",
     "audit_faces",
-    "bounds",
+    "boxes",
     "build_map",
     "clean",
     "diff",
+    "divide",
+    "even_grid",
     "explain",
     "extents",
     "finish",
+    "fitted_grid",
     "merge",
     "no_cuts",
     "overlay_tile",
     "search",
     "summarise",
+    "survey",
     "take",
     "tiles_near",
-    "tiles_of",
     "tiles_to_search",
     "validate",
 ]
@@ -42,9 +45,8 @@ FINDING_KINDS: Final[list[str]]
 
 # A report as JSON; its findings as GeoJSON, with warnings; and as a list of accepted ones.
 _Told = tuple[str, str | None, list[str], str]
-_Grid = tuple[Any, int, int]
-# Well-known binary, or a column of GeoArrow.
-_Geometries = list[bytes | None] | dict[str, Any]
+# A column of well-known binary, or of GeoArrow.
+_Geometries = dict[str, Any]
 # The numbers of features, and their geometries.
 _Layer = tuple[Any, list[_Geometries]]
 # A tile, and the box around the features that begin in it.
@@ -70,26 +72,29 @@ def clean(
     gaps_to: list[int] | None,
 ) -> tuple[str, list[tuple[int, str | None]]]: ...
 def build_map(source: dict[str, Any], cell: float | None) -> Map: ...
-def bounds(geometries: _Geometries) -> list[float] | None: ...
-def tiles_of(
-    of: _Grid, geometries: _Geometries, cut: bytes | None
-) -> tuple[npt.NDArray[np.uint64], npt.NDArray[np.uint64]]: ...
+def survey(geometries: _Geometries) -> tuple[int, list[float] | None, npt.NDArray[np.float64]]: ...
+def even_grid(corners: Any, columns: int | None, rows: int | None) -> bytes: ...
+def fitted_grid(sample: Any, most: int | None) -> bytes: ...
+def boxes(of: bytes) -> list[list[float]]: ...
+def divide(
+    of: bytes, cut: bytes, numbers: Any, geometries: _Geometries
+) -> tuple[npt.NDArray[np.int64], npt.NDArray[np.int64], bytes]: ...
 def no_cuts(largest: float, of_source: str | None) -> bytes: ...
-def tiles_to_search(cut: bytes, of: _Grid) -> list[int]: ...
-def search(cut: bytes, of: _Grid, at: int | None, geometries: list[_Geometries]) -> bytes: ...
+def tiles_to_search(cut: bytes, of: bytes) -> list[int]: ...
+def search(cut: bytes, of: bytes, at: int | None, given: list[dict[str, Any]]) -> bytes: ...
 def take(cut: bytes, found: list[bytes]) -> bytes: ...
 def summarise(
-    of: _Grid, at: int | None, numbers: Any, geometries: list[_Geometries], asked: str, cut: bytes | None, of_source: str | None
+    of: bytes, at: int | None, given: list[dict[str, Any]], asked: str, cut: bytes | None, of_source: str | None
 ) -> bytes: ...
-def extents(of: _Grid, geometries: _Geometries) -> list[_Extent]: ...
+def extents(of: bytes, geometries: _Geometries) -> list[_Extent]: ...
 def tiles_near(
-    of: _Grid, geometries: _Geometries, extents: list[_Extent], largest: float
+    of: bytes, geometries: _Geometries, extents: list[_Extent], largest: float
 ) -> tuple[npt.NDArray[np.uint64], npt.NDArray[np.uint64]]: ...
 def overlay_tile(
-    of: _Grid, at: int | None, layers: list[_Layer], largest: float, keeps: list[bool]
+    of: bytes, at: int | None, layers: list[_Layer], largest: float, keeps: list[bool]
 ) -> list[tuple[list[int], list[int], bytes]]: ...
 def merge(summaries: list[bytes]) -> bytes | None: ...
-def finish(summaries: list[bytes], of: _Grid | None, asked: str, accept: str | None) -> _Told: ...
+def finish(summaries: list[bytes], of: bytes | None, asked: str, accept: str | None) -> _Told: ...
 
 @final
 class Editor:

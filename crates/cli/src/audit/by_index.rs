@@ -1,16 +1,17 @@
 //! The features of a file with boxes, read from the file tile by tile.
 
-use crate::on_disk::NewShelf;
+use crate::on_disk::shelf_for;
 use std::borrow::Cow;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 use twinedge_coverage::insert_touches;
+use twinedge_coverage::tile::{Cuts, Grid, Piece, Tile};
 use twinedge_geometry::Point;
 use twinedge_layers::io::ReadSummary;
 use twinedge_layers::{Feature as LayerFeature, Geometry, Indexed, ReadError, ReadOptions, to_map};
 use twinedge_map::Feature;
-use twinedge_report::Shelf;
+use twinedge_report::{Division, Shelf};
 
 /// The maximal number of passes over the features; beyond it, copying them is cheaper.
 const TIMES: u64 = 8;
@@ -22,9 +23,9 @@ const EVERYTHING: [Point; 2] =
 /// the file.
 pub(super) struct ByIndex {
     source: Source,
-    /// The window of each tile.
-    windows: Vec<[Point; 2]>,
-    other: NewShelf,
+    /// The tiles, if they are read from the file.
+    tiles: Option<(Grid, Cuts)>,
+    division: Division,
     copied: Option<Box<dyn Shelf>>,
 }
 
@@ -35,18 +36,18 @@ struct Source {
     free: Mutex<Vec<Indexed>>,
 }
 
-/// Returns the best shelf for a file: the file itself if it has boxes, otherwise another shelf.
-pub(super) fn shelf_of(path: Option<&Path>, options: ReadOptions, other: NewShelf) -> io::Result<Box<dyn Shelf>> {
+/// Returns the best shelf for a file: the file itself if it has boxes, otherwise that of the division.
+pub(super) fn shelf_of(path: Option<&Path>, options: ReadOptions, division: Division) -> io::Result<Box<dyn Shelf>> {
     // A pipe cannot be opened again.
-    let Some(path) = path.filter(|path| path.is_file()) else { return other() };
+    let Some(path) = path.filter(|path| path.is_file()) else { return shelf_for(division) };
     match Indexed::open(path, &options) {
         // Feature numbers have 32 bits.
         Ok(Some(file)) if u32::try_from(file.amount().of_features).is_ok() => {
             let source = Source { path: path.to_owned(), options, free: Mutex::new(vec![file]) };
-            Ok(Box::new(ByIndex { source, windows: Vec::new(), other, copied: None }))
+            Ok(Box::new(ByIndex { source, tiles: None, division, copied: None }))
         }
         // A damaged file is refused once all of it is read.
-        _ => other(),
+        _ => shelf_for(division),
     }
 }
 
@@ -99,32 +100,37 @@ impl Shelf for ByIndex {
         self.source.read(EVERYTHING, &mut |_, feature| show(&feature))
     }
 
-    fn file(&mut self, windows: &[[Point; 2]], tiles_of: &dyn Fn(&Feature) -> Vec<usize>) -> io::Result<()> {
-        if self.source.is_in_order(windows) {
-            self.windows = windows.to_vec();
+    fn file(&mut self, grid: &Grid, cuts: &Cuts) -> io::Result<()> {
+        let windows: Vec<[Point; 2]> = grid.tiles().map(|tile| cuts.window(grid, tile, [])).collect();
+        if self.source.is_in_order(&windows) {
+            self.tiles = Some((grid.clone(), cuts.clone()));
             return Ok(());
         }
-        let (mut copied, mut put) = ((self.other)()?, Ok(()));
+        let (mut copied, mut put) = (shelf_for(self.division)?, Ok(()));
         self.source.read(EVERYTHING, &mut |_, feature| {
             if put.is_ok() {
                 put = copied.put(feature);
             }
         })?;
         put?;
-        copied.file(windows, tiles_of)?;
+        copied.file(grid, cuts)?;
         self.copied = Some(copied);
         Ok(())
     }
 
-    fn of_tile(&self, tile: usize) -> io::Result<Vec<(u32, Cow<'_, Feature>)>> {
+    fn of_tile(&self, tile: Tile) -> io::Result<Vec<Cow<'_, Piece>>> {
         if let Some(copied) = &self.copied {
             return copied.of_tile(tile);
         }
-        let mut features = Vec::new();
-        let window = self.windows.get(tile).copied();
-        if let Some(window) = window {
-            self.source.read(window, &mut |number, feature| features.push((number, Cow::Owned(feature))))?;
-        }
-        Ok(features)
+        let Some((grid, cuts)) = &self.tiles else { return Ok(Vec::new()) };
+        let (mut pieces, mut divided) = (Vec::new(), Ok(()));
+        self.source.read(cuts.window(grid, tile, []), &mut |number, feature| {
+            match cuts.piece_of(grid, tile, number, &feature) {
+                Ok(piece) => pieces.extend(piece.map(Cow::Owned)),
+                Err(error) => divided = Err(io::Error::other(error)),
+            }
+        })?;
+        divided?;
+        Ok(pieces)
     }
 }

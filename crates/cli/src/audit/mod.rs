@@ -9,7 +9,6 @@ mod timeout;
 pub(crate) use arguments::Audit;
 
 use crate::input::open;
-use crate::on_disk::shelf_for;
 use crate::output::{Failure, Verdict, named, plain};
 use crate::output_file::write_file;
 use crate::progress::busy;
@@ -78,7 +77,7 @@ impl Audit {
             Some(division) => {
                 // A file that was unpacked is deleted after reading.
                 let path = input.path.as_deref().filter(|_| input.kept.is_none());
-                let mut shelf = shelf_of(path, input.options(), shelf_for(division)).map_err(named("--memory"))?;
+                let mut shelf = shelf_of(path, input.options(), division).map_err(named("--memory"))?;
                 busy(|stage| audit_in_tiles(input, options, division, &mut *shelf, stage))
             }
             None if other.is_some() => busy(|stage| audit_against(input, other, options, stage)),

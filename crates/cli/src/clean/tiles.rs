@@ -33,7 +33,7 @@ impl Clean {
             GeoJsonFile::open(path, tempfile::tempfile()?, &mut take)
         };
         let repair = self.repair();
-        let cleaned = busy(|stage| clean_in_tiles(open, &repair, division, shelf_for(division), stage));
+        let cleaned = busy(|stage| clean_in_tiles(open, &repair, division, || shelf_for(division), stage));
         let (mut file, tiles) = cleaned.map_err(named(&name))?;
         let written = self.output.write_with(file.format(), path, |out| file.write(out).map_err(named(&name)))?;
         let mut report = Cleaning::of_tiles(&name, &repair, &tiles);

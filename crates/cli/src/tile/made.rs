@@ -1,7 +1,7 @@
 //! Audits a tile, from the whole map or from the surroundings of the tile.
 
 use std::collections::BTreeMap;
-use twinedge_coverage::tile::{AuditError, Cuts, Grid, Portion, Tile, TileError};
+use twinedge_coverage::tile::{AuditError, Cuts, Grid, Piece, Portion, Tile, TileError};
 use twinedge_coverage::{Limits, insert_touches};
 use twinedge_geometry::Point;
 use twinedge_layers::io::ReadSummary;
@@ -30,9 +30,7 @@ impl Asked {
 /// Audits the tile from all features of a map, which lies between two corners.
 pub(super) fn of_whole(features: &[Feature], corners: Option<[Point; 2]>, asked: &Asked) -> Result<Portion, Error> {
     let numbered = (0..).zip(features);
-    let grid = asked.grid(corners)?;
-    let cuts = complete(no_cuts(corners)?, &numbered)?;
-    Portion::new(&grid, asked.place, numbered, &asked.limits, cuts.as_ref()).map_err(refused)
+    audited(&asked.grid(corners)?, no_cuts(corners)?, numbered, asked)
 }
 
 /// Audits the tile from the features around it: the features that meet it, and then the features that meet their edges there and so cut them.
@@ -44,9 +42,41 @@ pub(super) fn by_windows(file: &mut Indexed, asked: &Asked) -> Result<Portion, E
     }
     let mut features = BTreeMap::new();
     add(file, cuts.window(&grid, asked.place, []), &mut features)?;
-    add(file, cuts.window(&grid, asked.place, features.values()), &mut features)?;
-    let cuts = complete(cuts, &numbered(&features))?;
-    Portion::new(&grid, asked.place, numbered(&features), &asked.limits, cuts.as_ref()).map_err(refused)
+    let pieces = pieces(&cuts, &grid, asked.place, numbered(&features))?;
+    add(file, cuts.window(&grid, asked.place, &pieces), &mut features)?;
+    audited(&grid, cuts, numbered(&features), asked)
+}
+
+fn audited<'f>(
+    grid: &Grid,
+    mut cuts: Cuts,
+    features: impl Iterator<Item = (u32, &'f Feature)> + Clone,
+    asked: &Asked,
+) -> Result<Portion, Error> {
+    // The cuts among all of these features, or none if there are too many.
+    let (all, only) = (Grid::everything(), Tile(0));
+    let whole = pieces(&cuts, &all, only, features.clone())?;
+    let mut is_cut = true;
+    while is_cut && !cuts.is_complete() {
+        match cuts.search(&all, only, &whole).and_then(|found| cuts.take([found])) {
+            Err(TileError::Build(BuildError::TooManyCuts { .. })) => is_cut = false,
+            taken => taken.map_err(refused)?,
+        }
+    }
+    drop(whole);
+    let pieces = pieces(&cuts, grid, asked.place, features)?;
+    Portion::new(grid, asked.place, &pieces, &asked.limits, is_cut.then_some(&cuts)).map_err(refused)
+}
+
+/// Returns the pieces of features that a tile needs.
+fn pieces<'f>(
+    cuts: &Cuts,
+    grid: &Grid,
+    tile: Tile,
+    features: impl Iterator<Item = (u32, &'f Feature)>,
+) -> Result<Vec<Piece>, Error> {
+    let of = |(number, feature)| cuts.piece_of(grid, tile, number, feature).transpose();
+    features.filter_map(of).collect::<Result<_, _>>().map_err(|error| refused(error.into()))
 }
 
 fn numbered(features: &BTreeMap<u32, Feature>) -> impl Iterator<Item = (u32, &Feature)> + Clone {
@@ -71,20 +101,4 @@ fn add(file: &mut Indexed, window: [Point; 2], features: &mut BTreeMap<u32, Feat
 
 fn refused(error: TileError) -> Error {
     AuditError::from(error).into()
-}
-
-/// Returns the cuts among all of these features; `None` if there are too many.
-fn complete<'f>(
-    mut cuts: Cuts,
-    features: &(impl Iterator<Item = (u32, &'f Feature)> + Clone),
-) -> Result<Option<Cuts>, Error> {
-    let all = Grid::EVERYTHING;
-    while !cuts.is_complete() {
-        let found = cuts.search(&all, Tile { column: 0, row: 0 }, features.clone());
-        match found.and_then(|found| cuts.take([found])) {
-            Err(TileError::Build(BuildError::TooManyCuts { .. })) => return Ok(None),
-            taken => taken.map_err(refused)?,
-        }
-    }
-    Ok(Some(cuts))
 }

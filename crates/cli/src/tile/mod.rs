@@ -30,8 +30,8 @@ use twinedge_report::{Error, Imported, InMemory, Judged, Keep, LimitOptions, ref
 /// which the whole file is read; with --source, it stores a text of yours instead.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
-  twinedge tile parcels.geojson --grid 2x1 --tile 0,0 -o 0-0.summary
-  twinedge tile parcels.geojson --grid 2x1 --tile 1,0 -o 1-0.summary
+  twinedge tile parcels.geojson --grid 2x1 --tile 0 -o 0.summary
+  twinedge tile parcels.geojson --grid 2x1 --tile 1 -o 1.summary
   twinedge sum *.summary
 
 Exit status: 0 the summary is written, whatever is in it; 2 the input could not be read.")]
@@ -43,9 +43,9 @@ pub(crate) struct Tile {
     #[arg(long, value_name = "COLUMNSxROWS", value_parser = grid_size)]
     grid: [u32; 2],
 
-    /// The column and the row of the tile, counted from 0, from the lower left.
-    #[arg(long = "tile", value_name = "COLUMN,ROW", value_parser = place)]
-    place: Place,
+    /// The number of the tile, counted from 0, row by row from the lower left.
+    #[arg(long = "tile", value_name = "NUMBER")]
+    place: u32,
 
     /// The box that the grid divides, by two corners. Points outside belong to the tiles at the border. Default: the box around the map.
     #[arg(long = "box", value_name = "X0,Y0,X1,Y1", value_parser = corners, allow_hyphen_values = true)]
@@ -86,12 +86,6 @@ fn grid_size(text: &str) -> Result<[u32; 2], String> {
     numbers.ok_or_else(|| "not the numbers of columns and rows, as in 64x64".to_owned())
 }
 
-fn place(text: &str) -> Result<Place, String> {
-    let numbers = text.split_once(',').and_then(|(column, row)| Some((column.parse().ok()?, row.parse().ok()?)));
-    let place = |(column, row)| Place { column, row };
-    numbers.map(place).ok_or_else(|| "not a column and a row, as in 3,4".to_owned())
-}
-
 fn corners(text: &str) -> Result<[Point; 2], String> {
     let numbers: Option<Vec<f64>> = text.split(',').map(|x| x.trim().parse().ok()).collect();
     match numbers.as_deref() {
@@ -117,7 +111,7 @@ impl Tile {
         let indexed = path.map(|path| Indexed::open(path, &options)).transpose().map_err(named(&name))?.flatten();
         // Cuts depend on the extent of the map.
         let indexed = indexed.filter(|file| file.corners().is_some());
-        let asked = Asked { size: self.grid, corners: self.corners, place: self.place, limits: self.limits.limits() };
+        let asked = Asked { size: self.grid, corners: self.corners, place: Place(self.place), limits: self.limits.limits() };
         let refuse = |edges: Option<&str>, crs: Option<&Crs>, corners| {
             refuse_edges(edges.filter(|_| may_say), crs, corners).map_err(named(&name))
         };

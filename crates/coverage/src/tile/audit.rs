@@ -3,18 +3,19 @@
 use super::cuts::{Cuts, Found};
 use super::error::{AuditError, TileError};
 use super::finish::Outcome;
-use super::grid::{Grid, Tile};
+use super::grid::{Grid, Node, Tile};
+use super::piece::Piece;
 use super::summary::Summary;
 use crate::Limits;
 use core::borrow::Borrow;
 use twinedge_geometry::threads;
-use twinedge_map::{BuildError, Feature};
+use twinedge_map::BuildError;
 
-/// Audits a map by its tiles. `features` returns the features of a tile, as assigned by [`Cuts::tiles_of`], with their numbers in
-/// the map. It is called once for each tile, and a few more times if edges meet other than at vertices. `cuts` must be new.
+/// Audits a map by its tiles. `pieces` returns the pieces of a tile, as divided by [`Cuts::pieces`]. It is called once for each tile, and a
+/// few more times if edges meet other than at vertices. `cuts` must be new.
 ///
 /// With the feature `rayon`, tiles are audited on the threads of the current pool, with the same result. Memory holds one tile
-/// per thread and the summaries. O(n log n) for the features of each tile.
+/// per thread and the summaries. O(n log n) for the pieces of each tile.
 ///
 /// ```
 /// use twinedge_coverage::{CoverageRule, Limits};
@@ -26,8 +27,10 @@ use twinedge_map::{BuildError, Feature};
 /// let west = field(&[[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [2.0, 2.0], [0.0, 2.0]]);
 /// let east = field(&[[2.0, 0.0], [4.0, 0.0], [4.0, 2.0], [2.0, 2.0]]);
 /// let grid = Grid::new([0.0, 0.0], [4.0, 2.0], 2, 2)?;
-/// let of_tile = |_| Ok::<_, std::convert::Infallible>(vec![(0, &west), (1, &east)]);
-/// let outcome = audit(&grid, &Limits::default(), Cuts::new(4.0)?, of_tile)?;
+/// let cuts = Cuts::new(4.0)?;
+/// let pieces = [cuts.pieces(&grid, 0, &west)?, cuts.pieces(&grid, 1, &east)?].concat();
+/// // Pieces of other tiles have no effect.
+/// let outcome = audit(&grid, &Limits::default(), cuts, |_| Ok::<_, std::convert::Infallible>(pieces.clone()))?;
 /// assert!(!outcome.is_valid());
 /// let coverage = outcome.coverage.unwrap();
 /// assert_eq!((coverage.findings.len(), coverage.findings[0].rule), (1, CoverageRule::Mismatch));
@@ -36,48 +39,46 @@ use twinedge_map::{BuildError, Feature};
 ///
 /// # Errors
 /// [`AuditError`]. Edges that meet too often to be cut are no error: the coverage is unknown then.
-pub fn audit<F: Borrow<Feature>, E: Send>(
+pub fn audit<P: Borrow<Piece>, E: Send>(
     grid: &Grid,
     limits: &Limits,
     mut cuts: Cuts,
-    features: impl Fn(Tile) -> Result<Vec<(u32, F)>, E> + Sync,
+    pieces: impl Fn(Tile) -> Result<Vec<P>, E> + Sync,
 ) -> Result<Outcome, AuditError<E>> {
     let plain = Tiles {
         grid,
-        of: &|tile| Ok(Summary::new(grid, tile, borrowed(&features(tile).map_err(AuditError::Features)?), limits)?),
+        of: &|tile| Ok(Summary::new(grid, tile, borrowed(&pieces(tile).map_err(AuditError::Pieces)?), limits)?),
     };
     let mut outcome = plain.merged()?;
     if !outcome.needs_cut() {
         return Ok(outcome);
     }
-    if let Err(why) = complete(grid, &mut cuts, &features)? {
+    if let Err(why) = complete(grid, &mut cuts, &pieces)? {
         outcome.uncut = Some(why);
         return Ok(outcome);
     }
     let cut = Tiles {
         grid,
-        of: &|tile| {
-            Ok(Summary::cut(grid, tile, borrowed(&features(tile).map_err(AuditError::Features)?), limits, &cuts)?)
-        },
+        of: &|tile| Ok(Summary::cut(grid, tile, borrowed(&pieces(tile).map_err(AuditError::Pieces)?), limits, &cuts)?),
     };
     Ok(outcome.with_cut(cut.merged()?))
 }
 
-fn borrowed<F: Borrow<Feature>>(features: &[(u32, F)]) -> impl Iterator<Item = (u32, &Feature)> {
-    features.iter().map(|(number, feature)| (*number, feature.borrow()))
+fn borrowed<P: Borrow<Piece>>(pieces: &[P]) -> impl Iterator<Item = &Piece> {
+    pieces.iter().map(Borrow::borrow)
 }
 
 /// Finds all cuts; the inner error means that there are too many.
-fn complete<F: Borrow<Feature>, E: Send>(
+fn complete<P: Borrow<Piece>, E: Send>(
     grid: &Grid,
     cuts: &mut Cuts,
-    features: &(impl Fn(Tile) -> Result<Vec<(u32, F)>, E> + Sync),
+    pieces: &(impl Fn(Tile) -> Result<Vec<P>, E> + Sync),
 ) -> Result<Result<(), BuildError>, AuditError<E>> {
     while !cuts.is_complete() {
         let concerned: Vec<Tile> = grid.tiles().filter(|tile| cuts.concern(grid, *tile)).collect();
         let found = threads::map(&concerned, |tile| {
-            let features = features(*tile).map_err(AuditError::Features)?;
-            Ok(cuts.search(grid, *tile, borrowed(&features))?)
+            let pieces = pieces(*tile).map_err(AuditError::Pieces)?;
+            Ok(cuts.search(grid, *tile, borrowed(&pieces))?)
         });
         let found = found.into_iter().collect::<Result<Vec<Found>, AuditError<E>>>();
         match found.and_then(|found| Ok(cuts.take(found)?)) {
@@ -97,20 +98,17 @@ struct Tiles<'a, E> {
 
 impl<E: Send> Tiles<'_, E> {
     fn merged(&self) -> Result<Outcome, AuditError<E>> {
-        Ok(self.block([0, 0], self.grid.size())?.finish()?)
+        Ok(self.of_part(0)?.finish()?)
     }
 
-    /// Returns the summary of a block of tiles by merging its halves, so that summaries have short borders.
-    fn block(&self, low: [u32; 2], high: [u32; 2]) -> Result<Summary, AuditError<E>> {
-        let [width, height] = [0, 1].map(|axis| high[axis] - low[axis]);
-        if width <= 1 && height <= 1 {
-            return (self.of)(Tile { column: low[0], row: low[1] });
+    /// Returns the summary of a part of the grid by merging its halves, so that summaries have short borders.
+    fn of_part(&self, node: usize) -> Result<Summary, AuditError<E>> {
+        match self.grid.node(node) {
+            Node::Tile(tile) => (self.of)(tile),
+            Node::Divided(_, above) => {
+                let (one, other) = threads::join(|| self.of_part(node + 1), || self.of_part(above));
+                Ok(one?.merge(other?)?)
+            }
         }
-        let axis = usize::from(height > width);
-        let (mut middle, mut from) = (high, low);
-        middle[axis] = low[axis].midpoint(high[axis]);
-        from[axis] = middle[axis];
-        let (one, other) = threads::join(|| self.block(low, middle), || self.block(from, high));
-        Ok(one?.merge(other?)?)
     }
 }

@@ -1,8 +1,6 @@
 //! Areas that features claim together, used to find duplicates (C5).
 
 use super::NIL;
-#[cfg(feature = "serde")]
-use super::grid::Grid;
 use super::grid::Tile;
 use rustc_hash::FxHashMap;
 
@@ -13,28 +11,17 @@ pub(super) struct Claimed {
     pub(super) feature: u32,
     /// The index in the list of the first feature that covers the same faces, perhaps itself; `None` if no face was seen.
     pub(super) like: Option<u32>,
-    /// The first and the last tile that its box meets.
-    pub(super) between: [Tile; 2],
-    /// The number of tiles that were given the feature with this box.
-    pub(super) seen: u64,
+    /// The first tile that needs a piece of it, and the number of these tiles.
+    pub(super) first: Tile,
+    pub(super) of: u32,
+    /// The number of tiles that were given one.
+    pub(super) seen: u32,
 }
 
 impl Claimed {
-    /// Returns the key: features with the same number but different boxes have separate entries.
-    pub(super) const fn key(&self) -> (u32, [Tile; 2]) {
-        (self.feature, self.between)
-    }
-
-    pub(super) fn of(&self) -> u64 {
-        let [first, last] = self.between;
-        (u64::from(last.column - first.column) + 1) * (u64::from(last.row - first.row) + 1)
-    }
-
-    /// Returns true if the tiles are in the grid, and no more were seen than there are.
-    #[cfg(feature = "serde")]
-    pub(super) fn is_in(&self, grid: &Grid) -> bool {
-        let [first, last] = self.between;
-        first.column <= last.column && first.row <= last.row && grid.has(last) && self.seen <= self.of()
+    /// Returns the key: features with the same number whose pieces are for other tiles have separate entries.
+    pub(super) const fn key(&self) -> (u32, Tile, u32) {
+        (self.feature, self.first, self.of)
     }
 }
 
@@ -46,10 +33,10 @@ pub(super) fn compare(claimed: &mut [Claimed], faces: Vec<Vec<u32>>) {
     }
 }
 
-/// Adds up the entries of two concatenated lists, for each feature with the same box. Features remain alike if they were alike in
-/// both. Entries of completely seen features that are like no other are dropped. This is safe in any order of merging: all tiles
-/// of the box had the feature with this box, so an entry with another box that meets one of them is never completely seen, and is
-/// reported. Features of the same number whose boxes share no tile are not detected. O(n log n), expected.
+/// Adds up the entries of two concatenated lists, for each feature. Features remain alike if they were alike in both. Entries of
+/// completely seen features that are like no other are dropped. This is safe in any order of merging: two features of the same
+/// number that are both needed in the first tile of one are refused there, and others have separate entries. Features of the
+/// same number that have no tile in common are not detected. O(n log n), expected.
 pub(super) fn add_up(claimed: &mut Vec<Claimed>) {
     claimed.sort_by_key(Claimed::key);
     // With the feature that it is like in each of the two lists.
@@ -68,7 +55,7 @@ pub(super) fn add_up(claimed: &mut Vec<Claimed>) {
     for (_, likes) in all.iter().filter(|(_, likes)| likes[0] != NIL) {
         *counts.entry(*likes).or_default() += 1;
     }
-    all.retain(|(one, likes)| one.seen != one.of() || counts.get(likes).is_some_and(|count| *count > 1));
+    all.retain(|(one, likes)| one.seen != one.of || counts.get(likes).is_some_and(|count| *count > 1));
     let mut first = FxHashMap::default();
     claimed.extend((0..).zip(all).map(|(place, (one, likes))| {
         let like = (likes[0] != NIL).then(|| *first.entry(likes).or_insert(place));

@@ -15,18 +15,18 @@
 //!
 //! Both sides of a seam have the same pieces, made from one list. It has only cut edges: few, if borders meet at vertices.
 
-use super::clip::Bounds;
-use super::ends::{Ends, compare_edges, compare_points};
+use super::bounds::Bounds;
+use super::ends::{Ends, compare_edges, compare_points, in_order};
 use super::error::TileError;
-use super::extent::{corners, points};
 use super::grid::{Grid, Tile};
+use super::piece::{Piece, edges};
 use core::cmp::Ordering;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::BTreeMap;
 use twinedge::dcel::RecordKind;
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::{NodingError, PartNoding};
-use twinedge_map::{BuildError, Feature, Shape, usual_cuts};
+use twinedge_map::{BuildError, usual_cuts};
 
 #[cfg(feature = "serde")]
 mod saved;
@@ -34,7 +34,7 @@ mod saved;
 /// The greatest number of rounds: more would let a chain drift out of the tiles of its feature.
 const ROUNDS: u32 = 60;
 
-/// The margin around tiles in which they are given features, in cells: more than half a cell for each round.
+/// The margin around tiles in which they are given edges, in cells: more than half a cell for each round.
 const MARGIN: f64 = 40.0;
 
 /// A step reads a point up to an eighth of a cell off, and a pixel extends half a cell around its centre.
@@ -49,7 +49,7 @@ fn key(ends: &Ends) -> Key {
     ends.map(Point::hash_key)
 }
 
-/// The cuts of a map whose edges meet other than at vertices. Each tile cuts its features with them.
+/// The cuts of a map whose edges meet other than at vertices. Each tile cuts its pieces with them.
 ///
 /// ```
 /// use twinedge_coverage::Limits;
@@ -59,15 +59,15 @@ fn key(ends: &Ends) -> Key {
 /// // Two squares that overlap, in four tiles.
 /// let square = |x: f64| Shape::polygon([[x, x], [x + 2.0, x], [x + 2.0, x + 2.0], [x, x + 2.0]]);
 /// let [one, other] = [0.0, 1.0].map(|x| Feature { shapes: vec![square(x)], ..Feature::default() });
-/// let features = [(0, &one), (1, &other)];
 /// let grid = Grid::new([0.0, 0.0], [3.0, 3.0], 2, 2)?;
 /// // No coordinate is larger than 3.
 /// let mut cuts = Cuts::new(3.0)?;
+/// let pieces = [cuts.pieces(&grid, 0, &one)?, cuts.pieces(&grid, 1, &other)?].concat();
 /// while !cuts.is_complete() {
-///     let found = grid.tiles().map(|tile| cuts.search(&grid, tile, features)).collect::<Result<Vec<_>, _>>()?;
+///     let found = grid.tiles().map(|tile| cuts.search(&grid, tile, &pieces)).collect::<Result<Vec<_>, _>>()?;
 ///     cuts.take(found)?;
 /// }
-/// let tiles = grid.tiles().map(|tile| Summary::cut(&grid, tile, features, &Limits::default(), &cuts));
+/// let tiles = grid.tiles().map(|tile| Summary::cut(&grid, tile, &pieces, &Limits::default(), &cuts));
 /// let mut tiles = tiles.collect::<Result<Vec<_>, _>>()?.into_iter();
 /// let first = tiles.next().unwrap();
 /// let whole = tiles.try_fold(first, Summary::merge)?.finish()?;
@@ -161,33 +161,22 @@ impl Cuts {
         self.chains.is_empty() && self.bends.is_empty()
     }
 
-    /// Returns the tiles that must be given a feature: the tiles near its box. O(points).
-    pub fn tiles_of(&self, grid: &Grid, feature: &Feature) -> impl Iterator<Item = Tile> + use<> {
-        let (grid, margin) = (*grid, self.margin());
-        corners(feature).into_iter().flat_map(move |(low, high)| {
-            let [low, high] = [(low, -margin), (high, margin)].map(|(p, by)| Point::new(p.x + by, p.y + by));
-            grid.tiles_between(low, high)
-        })
-    }
-
-    /// Returns the corners of a box around all features that must be given to a tile, and around the edges of `features` near it,
-    /// infinite where the grid ends. The rest does not influence the cuts, if `features` are all of the tile. O(points).
+    /// Returns the corners of a box around all edges and vertices that determine the cuts near a tile: around the tile, and around the
+    /// edges of its `pieces`. It is infinite where the grid ends. O(points).
     #[must_use]
-    pub fn window<'f>(&self, grid: &Grid, tile: Tile, features: impl IntoIterator<Item = &'f Feature>) -> [Point; 2] {
+    pub fn window<'p>(&self, grid: &Grid, tile: Tile, pieces: impl IntoIterator<Item = &'p Piece>) -> [Point; 2] {
         let margin = 2.0 * self.margin();
-        let around = grid.bounds(tile).grown(margin);
-        let line = |line: Option<f64>, otherwise| line.unwrap_or(otherwise);
-        let mut low = Point::new(line(around.left, -f64::INFINITY), line(around.bottom, -f64::INFINITY));
-        let mut high = Point::new(line(around.right, f64::INFINITY), line(around.top, f64::INFINITY));
-        let chains = features.into_iter().flat_map(|feature| &feature.shapes).flat_map(chains_of);
-        for [a, b] in chains.flat_map(steps).map(|(a, b)| in_order(a, b)).filter(|ends| meets(&around, ends)) {
+        let near = grid.bounds(tile).grown(margin);
+        let Bounds { mut low, mut high } = near;
+        let all = pieces.into_iter().flat_map(Piece::chains).flat_map(|chain| edges(chain)).map(in_order);
+        for [a, b] in all.filter(|ends| near.meets(*ends)) {
             low = Point::new(low.x.min(a.x - margin), low.y.min(a.y.min(b.y) - margin));
             high = Point::new(high.x.max(b.x + margin), high.y.max(a.y.max(b.y) + margin));
         }
         [low, high]
     }
 
-    /// Returns the distance from a tile up to which features are given to it.
+    /// Returns the distance from a tile up to which edges are given to it.
     pub(super) fn margin(&self) -> f64 {
         MARGIN * self.noding.cell()
     }
@@ -195,48 +184,45 @@ impl Cuts {
     /// Returns true if the tile has something to find in this round. O(pieces of the last round).
     #[must_use]
     pub fn concern(&self, grid: &Grid, tile: Tile) -> bool {
-        self.rounds == 0 || self.pieces(&grid.bounds(tile)).next().is_some()
+        self.rounds == 0 || self.fresh_near(&grid.bounds(tile)).next().is_some()
     }
 
-    fn pieces(&self, bounds: &Bounds) -> impl Iterator<Item = &Ends> {
+    fn fresh_near(&self, bounds: &Bounds) -> impl Iterator<Item = &Ends> {
         let bounds = bounds.grown(self.noding.cell());
-        self.fresh.iter().filter(move |ends| meets(&bounds, ends))
+        self.fresh.iter().filter(move |ends| bounds.meets(**ends))
     }
 
-    /// Finds the cuts of a tile in this round. `features` are all features that [`tiles_of`](Self::tiles_of) assigns to the tile;
-    /// others have no effect. O(n log n + k) for k cuts.
+    /// Finds the cuts of a tile in this round, from its [pieces](Self::pieces); those of other tiles have no effect. O(n log n + k) for k
+    /// cuts.
     ///
     /// # Errors
     /// [`TileError::NoSuchTile`], and [`TileError::Build`] with [`BuildError::TooManyCuts`], or with [`BuildError::OutOfReach`]
     /// if a coordinate is larger than announced.
-    pub fn search<'f>(
+    pub fn search<'p>(
         &self,
         grid: &Grid,
         tile: Tile,
-        features: impl IntoIterator<Item = (u32, &'f Feature)>,
+        pieces: impl IntoIterator<Item = &'p Piece>,
     ) -> Result<Found, TileError> {
         if !grid.has(tile) {
             return Err(TileError::NoSuchTile(tile));
         }
         let bounds = grid.bounds(tile);
         let near = bounds.grown(REACH * self.noding.cell());
-        let features: Vec<&Feature> = features.into_iter().map(|(_, feature)| feature).collect();
-        features.iter().try_for_each(|feature| self.check(feature))?;
-        let shapes = features.iter().flat_map(|feature| &feature.shapes);
+        let of_tile = pieces.into_iter().filter(|piece| piece.tile == tile);
+        let chains: Vec<&Vec<Point>> = of_tile.flat_map(Piece::chains).collect();
+        let points = || chains.iter().copied().flatten().copied();
+        self.check(points())?;
         let mut found = if self.rounds == 0 {
-            let (mut segments, mut vertices) = (Vec::new(), Vec::new());
-            for shape in shapes {
-                vertices.extend(points(shape).map(unsigned).filter(|p| near.contains(*p)));
-                for chain in chains_of(shape) {
-                    segments.extend(steps(chain).map(|(a, b)| in_order(a, b)).filter(|ends| meets(&near, ends)));
-                }
-            }
+            let vertices: Vec<Point> = points().filter(|p| near.contains(*p)).collect();
+            let segments = chains.iter().flat_map(|chain| edges(chain)).map(in_order);
+            let segments: Vec<Ends> = segments.filter(|ends| near.meets(*ends)).collect();
             self.cuts_of(&segments, &vertices)?
         } else {
-            let vertices = shapes.flat_map(points).filter(|p| near.contains(*p)).map(|p| self.noding.snapped(p));
+            let vertices = points().filter(|p| near.contains(*p)).map(|p| self.noding.snapped(p));
             let hot: Vec<Point> =
                 vertices.chain(self.crossings.iter().copied()).filter(|p| near.contains(*p)).collect();
-            let pieces: Vec<Ends> = self.pieces(&bounds).copied().collect();
+            let pieces: Vec<Ends> = self.fresh_near(&bounds).copied().collect();
             let bends = self.noding.bends(&pieces, &hot, usual_cuts(pieces.len())).map_err(refused)?;
             let chains = bends.into_iter().map(|(piece, chain)| (pieces[piece], chain)).collect();
             Found { chains, ..self.nothing() }
@@ -315,7 +301,7 @@ impl Cuts {
         let uncut = doubtful.iter().filter(|ends| !self.chains.contains_key(&key(ends)));
         pieces.extend(uncut.map(|ends| ends.map(|p| self.noding.snapped(p))).map(|[a, b]| (a, b)));
         for (a, b) in pieces {
-            let piece = in_order(a, b);
+            let piece = in_order([a, b]);
             if a != b && self.seen.insert(key(&piece)) {
                 self.fresh.push(piece);
             }
@@ -334,10 +320,10 @@ impl Cuts {
         if of_input { ends.map(|p| self.noding.snapped(p)) } else { *ends }
     }
 
-    /// Refuses a feature with a coordinate larger than announced.
-    pub(super) fn check(&self, feature: &Feature) -> Result<(), BuildError> {
+    /// Refuses a coordinate larger than announced.
+    pub(super) fn check(&self, mut points: impl Iterator<Item = Point>) -> Result<(), BuildError> {
         let is_within = |p: &Point| p.x.abs() <= self.largest && p.y.abs() <= self.largest;
-        match feature.shapes.iter().flat_map(points).find(|p| !is_within(p)) {
+        match points.find(|p| !is_within(p)) {
             Some(Point { x, y }) => Err(BuildError::OutOfReach { x, y }),
             None => Ok(()),
         }
@@ -347,22 +333,11 @@ impl Cuts {
         self.noding.snapped(p)
     }
 
-    pub(super) fn cut(&self, feature: &Feature) -> Feature {
-        let shape = |shape: &Shape| match shape {
-            Shape::Polygon(rings) => {
-                Shape::Polygon(rings.iter().map(|ring| self.way(steps_around(ring), ring)).collect())
-            }
-            Shape::Line(points) => Shape::Line(self.way(steps(Chain { points, is_closed: false }), points)),
-            Shape::Point(p) => Shape::Point(self.snapped(*p)),
-        };
-        Feature { shapes: feature.shapes.iter().map(shape).collect(), ..Feature::default() }
-    }
-
-    /// Returns the chain of edges that starts at the first of some points.
-    fn way(&self, steps: impl Iterator<Item = (Point, Point)>, points: &[Point]) -> Vec<Point> {
-        let mut way: Vec<Point> = points.first().map(|p| self.snapped(*p)).into_iter().collect();
-        for (a, b) in steps {
-            let ends = in_order(a, b);
+    /// Cuts a chain of edges, and bends it.
+    pub(super) fn cut(&self, chain: &[Point]) -> Vec<Point> {
+        let mut way: Vec<Point> = chain.first().map(|p| self.snapped(*p)).into_iter().collect();
+        for [a, b] in edges(chain) {
+            let ends = in_order([a, b]);
             let along = self.chains.get(&key(&ends)).map_or(&[][..], Vec::as_slice);
             let is_forth = ends[0] == a;
             for i in 0..along.len() {
@@ -377,7 +352,7 @@ impl Cuts {
     fn bend(&self, to: Point, way: &mut Vec<Point>) {
         let mut ahead = vec![to];
         while let (Some(to), Some(from)) = (ahead.last().copied(), way.last().copied()) {
-            let piece = in_order(from, to);
+            let piece = in_order([from, to]);
             match self.bends.get(&key(&piece)) {
                 Some(bends) if piece[0] == from => ahead.extend(bends.iter().rev()),
                 Some(bends) => ahead.extend(bends),
@@ -399,35 +374,6 @@ fn refused(error: NodingError) -> BuildError {
     }
 }
 
-#[derive(Clone, Copy)]
-struct Chain<'a> {
-    points: &'a [Point],
-    is_closed: bool,
-}
-
-fn chains_of(shape: &Shape) -> Vec<Chain<'_>> {
-    match shape {
-        Shape::Polygon(rings) => rings.iter().map(|points| Chain { points, is_closed: true }).collect(),
-        Shape::Line(points) => vec![Chain { points, is_closed: false }],
-        Shape::Point(_) => Vec::new(),
-    }
-}
-
-/// Returns the segments of a chain, without zero-length segments.
-fn steps(Chain { points, is_closed }: Chain<'_>) -> impl Iterator<Item = (Point, Point)> {
-    let closing = points.last().copied().zip(points.first().copied()).filter(|_| is_closed);
-    let steps = points.windows(2).map(|pair| (pair[0], pair[1])).chain(closing);
-    steps.map(|(a, b)| (unsigned(a), unsigned(b))).filter(|(a, b)| a != b)
-}
-
-fn steps_around(points: &[Point]) -> impl Iterator<Item = (Point, Point)> {
-    steps(Chain { points, is_closed: true })
-}
-
-fn unsigned(p: Point) -> Point {
-    Point::new(p.x + 0.0, p.y + 0.0)
-}
-
 /// Returns true if points lead from end to end without turning back.
 fn is_way([first, last]: Ends, between: &[Point]) -> bool {
     let course = |a: Point, b: Point| [a.x.partial_cmp(&b.x), a.y.partial_cmp(&b.y)];
@@ -437,14 +383,4 @@ fn is_way([first, last]: Ends, between: &[Point]) -> bool {
     };
     let all = [first].into_iter().chain(between.iter().copied()).chain([last]);
     !between.is_empty() && all.clone().zip(all.skip(1)).all(|(a, b)| leads(a, b))
-}
-
-fn in_order(a: Point, b: Point) -> Ends {
-    if compare_points(a, b).is_le() { [a, b] } else { [b, a] }
-}
-
-/// Returns true if the box around a segment meets a tile.
-fn meets(bounds: &Bounds, [a, b]: &Ends) -> bool {
-    // The smaller end is on the left.
-    bounds.meets(Point::new(a.x, a.y.min(b.y)), Point::new(b.x, a.y.max(b.y)))
 }

@@ -11,13 +11,13 @@ pub enum TileError {
     /// The grid does not have the tile.
     #[error("the grid has no tile {0}")]
     NoSuchTile(Tile),
-    /// Two features have the same number.
-    #[error("two features have the number {0}")]
+    /// Two features have the same number, or a tile was given the piece of a feature twice.
+    #[error("two features have the number {0}, or one was given twice")]
     SameNumber(u32),
     /// The cuts belong to another round or another map.
     #[error("cuts were found in another round, or are those of another map")]
     OtherCuts,
-    /// A feature was refused.
+    /// A feature or an edge was refused.
     #[error("{0}")]
     Build(#[from] BuildError),
 }
@@ -29,7 +29,7 @@ pub enum MergeError {
     /// The tiles are not of one map, one grid or the same limits.
     #[error("these are not tiles of one map: {what} is {one} for the first and {other} for the second")]
     Different {
-        /// The fact of the source, the dimension of the grid or the limit that differs.
+        /// The fact of the source, the grid or the limit that differs.
         what: String,
         /// The value for the first tiles; `none` if there is none.
         one: String,
@@ -59,9 +59,9 @@ pub enum FinishError {
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum AuditError<E> {
-    /// The features of a tile could not be obtained.
+    /// The pieces of a tile could not be obtained.
     #[error("{0}")]
-    Features(E),
+    Pieces(E),
     /// A tile could not be audited.
     #[error(transparent)]
     Tile(#[from] TileError),

@@ -2,7 +2,6 @@
 
 use super::ends::{Ends, compare_edges, compare_points};
 use super::grid::Tile;
-use super::side::Side;
 use core::cmp::Ordering;
 use core::fmt;
 use twinedge_geometry::Point;
@@ -129,17 +128,17 @@ impl fmt::Display for SeamRule {
 pub struct SeamFault {
     /// The rule.
     pub rule: SeamRule,
-    /// The tile that has the edge, or the left or lower tile.
+    /// The tile that has the edge, or the one with the lower number.
     pub tile: Tile,
-    /// The side of that tile.
-    pub side: Side,
+    /// The tile on the other side of the border.
+    pub beyond: Tile,
     /// The edge; for the features of a face, the edge before it on the border, if any.
     pub edge: Option<Ends>,
 }
 
 impl SeamFault {
     pub(super) fn compare(&self, other: &Self) -> Ordering {
-        let key = |one: &Self| (one.tile, one.side, one.rule, one.edge.is_some());
+        let key = |one: &Self| (one.tile, one.beyond, one.rule, one.edge.is_some());
         key(self).cmp(&key(other)).then_with(|| match (&self.edge, &other.edge) {
             (Some(a), Some(b)) => compare_edges(a, b),
             _ => Ordering::Equal,

@@ -2,7 +2,7 @@
 
 use super::claimed::first_like;
 use super::ends::compare_edges;
-use super::region::{Claim, Drawing, Edge, Region, sort_edges};
+use super::region::{Claim, Drawing, Region};
 use super::summary::Summary;
 use crate::check::Found;
 use crate::gap::{Gaps, accepted_faces};
@@ -38,7 +38,7 @@ pub(super) fn coverage(summary: &Summary) -> Coverage {
             searched.push(region);
             continue;
         }
-        let Some(drawing) = Drawing::new(&region.edges) else { continue };
+        let Some(drawing) = Drawing::new(region) else { continue };
         let is_of = |features: &[u32]| features.is_empty();
         let gap = drawing.finding(CoverageRule::Gap, &region.around(), &is_of);
         let accepted = accepted_faces(&drawing.map, &limits.accepted_gaps);
@@ -64,9 +64,9 @@ pub(super) fn coverage(summary: &Summary) -> Coverage {
 
 /// Returns the near misses between the borders of some unclaimed regions.
 fn near_misses(spaces: &[&Region], width: f64) -> Vec<Finding> {
-    let mut edges: Vec<Edge> = spaces.iter().flat_map(|region| region.edges.iter().cloned()).collect();
-    sort_edges(&mut edges);
-    let Some(drawing) = Drawing::new(&edges) else { return Vec::new() };
+    let Some(all) = Region::joined(spaces.iter().copied()) else { return Vec::new() };
+    let Some(drawing) = Drawing::new(&all) else { return Vec::new() };
+    let edges = &all.edges;
     // An edge belongs to a single unclaimed region.
     let mut space_of = vec![0; edges.len()];
     for (space, region) in spaces.iter().enumerate() {
@@ -95,7 +95,7 @@ fn overlaps(closed: &[Region], first_like: &FxHashMap<u32, u32>) -> Vec<Finding>
         let Claim::Overlap(features) = &region.claim else { return None };
         let first = |feature: &u32| first_like.get(feature).unwrap_or(feature).to_owned();
         let is_overlap = features.iter().any(|feature| first(feature) != first(&features[0]));
-        let drawing = Some(()).filter(|()| is_overlap).and_then(|()| Drawing::new(&region.edges))?;
+        let drawing = Some(()).filter(|()| is_overlap).and_then(|()| Drawing::new(region))?;
         Some(drawing.finding(CoverageRule::Overlap, features, &|other| other == features))
     };
     closed.iter().filter_map(of).collect()
@@ -118,9 +118,8 @@ fn duplicates(closed: &[Region], first_like: &FxHashMap<u32, u32>) -> Vec<Findin
     let of = |(mut set, regions): (Vec<u32>, Vec<&Region>)| {
         set.sort_unstable();
         let is_of = |features: &[u32]| features.binary_search(&set[0]).is_ok();
-        let mut edges: Vec<Edge> = regions.into_iter().flat_map(|region| region.edges.iter().cloned()).collect();
-        sort_edges(&mut edges);
-        Some(Drawing::new(&edges)?.finding(CoverageRule::Duplicate, &set, &is_of))
+        let all = Region::joined(regions)?;
+        Some(Drawing::new(&all)?.finding(CoverageRule::Duplicate, &set, &is_of))
     };
     sets.into_values().filter(|(set, _)| set.len() > 1).filter_map(of).collect()
 }

@@ -3,7 +3,6 @@
 use super::error::FinishError;
 use super::fault::{Crossing, SeamFault, Uneven};
 use super::findings::coverage;
-use super::grid::Tile;
 use super::summary::Summary;
 use crate::{Coverage, Defect};
 use twinedge::validate::{Bounds, Counts, Rule, RuleOutcome, Unchecked};
@@ -34,7 +33,7 @@ pub struct Outcome {
     pub uncut: Option<BuildError>,
     /// The features whose shapes are invalid by the rules of the OGC (C6), by number.
     pub defects: Vec<(u32, Vec<Defect>)>,
-    /// Features that were not given to every tile that meets their box, or that have a different box in another of these tiles.
+    /// Features of which a tile was not given its piece, or was given a piece of another feature with the same number.
     pub not_given: Vec<u32>,
     /// False if `V − E + F = 1 + C` does not hold for the sums, or for not exactly one unbounded face (T3); `None` if faces are
     /// unknown.
@@ -114,10 +113,8 @@ impl Outcome {
 
 impl Summary {
     fn missing(&self) -> Result<(), FinishError> {
-        let [columns, rows] = self.grid.size().map(u64::from);
-        let count = (columns * rows).saturating_sub(self.tiles.len() as u64);
-        let mut all = (0..columns as u32).flat_map(|column| (0..rows as u32).map(move |row| Tile { column, row }));
-        match all.find(|tile| self.tiles.binary_search(tile).is_err()) {
+        let count = self.grid.len().saturating_sub(self.tiles.len()) as u64;
+        match self.grid.tiles().find(|tile| self.tiles.binary_search(tile).is_err()) {
             Some(first) => Err(FinishError::Missing { first, count }),
             None => Ok(()),
         }
@@ -128,12 +125,12 @@ impl Summary {
     /// ```
     /// use twinedge_coverage::Limits;
     /// use twinedge_map::{Feature, Shape};
-    /// use twinedge_coverage::tile::{FinishError, Grid, Summary};
+    /// use twinedge_coverage::tile::{Cuts, FinishError, Grid, Summary};
     ///
     /// let grid = Grid::new([0.0, 0.0], [4.0, 4.0], 2, 2)?;
     /// let square = Shape::polygon([[1.0, 1.0], [3.0, 1.0], [3.0, 3.0], [1.0, 3.0]]);
-    /// let features = [(0, &Feature { shapes: vec![square], ..Feature::default() })];
-    /// let mut tiles = grid.tiles().map(|tile| Summary::new(&grid, tile, features, &Limits::default()));
+    /// let pieces = Cuts::new(4.0)?.pieces(&grid, 0, &Feature { shapes: vec![square], ..Feature::default() })?;
+    /// let mut tiles = grid.tiles().map(|tile| Summary::new(&grid, tile, &pieces, &Limits::default()));
     /// let first = tiles.next().unwrap()?;
     /// assert!(matches!(first.clone().finish(), Err(FinishError::Missing { count: 3, .. })));
     /// let whole = tiles.try_fold(first, |sum, tile| Ok::<_, Box<dyn std::error::Error>>(sum.merge(tile?)?))?;
@@ -168,7 +165,7 @@ impl Summary {
             borders: Some(0),
             genus: genus.map(number),
         };
-        let incomplete = self.claimed.iter().filter(|one| one.seen != one.of());
+        let incomplete = self.claimed.iter().filter(|one| one.seen != one.of);
         let mut not_given: Vec<u32> = incomplete.map(|one| one.feature).collect();
         not_given.dedup();
         let mut seams = [&self.seams[..], &self.plane_seams].concat();

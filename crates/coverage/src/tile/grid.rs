@@ -1,157 +1,203 @@
 //! Grids and their tiles.
 
-use super::clip::Bounds;
-use super::extent::corners;
+use super::bounds::Bounds;
 use super::side::Side;
 use core::fmt;
+use core::ops::Range;
+use std::sync::Arc;
 use thiserror::Error;
 use twinedge_geometry::Point;
 use twinedge_geometry::predicates::in_range;
-use twinedge_map::Feature;
 
-/// The greatest number of columns, and of rows.
-const MOST: u32 = 1 << 16;
+/// The greatest number of tiles.
+const MOST: u32 = 1 << 20;
 
-/// A division of the plane into columns and rows of half-open boxes.
+/// A division of the plane into half-open boxes, the tiles.
 ///
-/// The lines between them divide a box evenly. The first and last columns and rows extend to infinity, so every point of the
-/// plane lies in exactly one tile: a point on a line belongs to the tile on its right or above it.
+/// [`Grid::new`] divides a box evenly, and [`Grid::fitted`] divides it by a sample of points, so that tiles have about the same
+/// number of vertices. The tiles at the border extend to infinity, so every point of the plane lies in exactly one tile: a point
+/// on a line belongs to the tile on its right or above it.
 ///
 /// ```
 /// use twinedge_geometry::Point;
-/// use twinedge_coverage::tile::Grid;
+/// use twinedge_coverage::tile::{Grid, Tile};
 ///
 /// let grid = Grid::new([0.0, 0.0], [8.0, 4.0], 4, 2)?;
-/// let at = |x: f64, y: f64| { let tile = grid.tile_of(Point::new(x, y)); (tile.column, tile.row) };
-/// assert_eq!((at(1.0, 1.0), at(2.0, 2.0), at(-9.0, 99.0)), ((0, 0), (1, 1), (0, 1)));
+/// let at = |x: f64, y: f64| grid.tile_of(Point::new(x, y));
+/// assert_eq!((at(1.0, 1.0), at(2.0, 2.0), at(-9.0, 99.0)), (Tile(0), Tile(5), Tile(4)));
 /// # Ok::<(), twinedge_coverage::tile::GridError>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(try_from = "Saved", into = "Saved"))]
+#[cfg_attr(feature = "serde", serde(try_from = "Form", into = "Form"))]
 pub struct Grid {
-    low: Point,
-    high: Point,
-    columns: u32,
-    rows: u32,
+    form: Form,
+    /// The tree of lines: each node that is divided is followed by its lower part.
+    nodes: Arc<[Node]>,
+    bounds: Arc<[Bounds]>,
 }
 
-/// A tile of a grid, by the number of its column from the left and of its row from the bottom, counted from 0.
+/// A tile of a grid, by its number. An even grid numbers its tiles row by row from the lower left, from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Tile {
-    /// The column.
-    pub column: u32,
-    /// The row.
-    pub row: u32,
-}
+pub struct Tile(pub u32);
 
 impl fmt::Display for Tile {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{},{}", self.column, self.row)
+        self.0.fmt(f)
     }
 }
 
-/// The error of [`Grid::new`].
+/// What determines a grid.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+enum Form {
+    Even {
+        low: Point,
+        high: Point,
+        columns: u32,
+        rows: u32,
+    },
+    /// The lines of the tree, in order of its nodes; `None` for a tile.
+    Fitted(Vec<Option<Line>>),
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub(super) struct Line {
+    /// True if the line is level, and `at` its y.
+    pub(super) is_level: bool,
+    pub(super) at: f64,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Node {
+    Tile(Tile),
+    /// The line between the lower part, which is the next node, and the upper part, which is the node with this index.
+    Divided(Line, usize),
+}
+
+/// The error of [`Grid::new`] and [`Grid::fitted`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum GridError {
-    /// There are no columns or no rows, or more than 65,536 of them.
-    #[error("a grid has 1 to 65,536 columns and rows")]
+    /// There are no tiles, or more than 1,048,576 of them.
+    #[error("a grid has 1 to 1,048,576 tiles")]
     Size,
     /// Two lines coincide, or a line is out of the range in which predicates are exact.
     #[error("the lines of the grid are not distinct, or out of range")]
     Lines,
 }
 
-impl Grid {
-    /// The grid of one tile, the whole plane.
-    pub const EVERYTHING: Self =
-        Self { low: Point { x: 0.0, y: 0.0 }, high: Point { x: 1.0, y: 1.0 }, columns: 1, rows: 1 };
+impl PartialEq for Grid {
+    fn eq(&self, other: &Self) -> bool {
+        self.form == other.form
+    }
+}
 
-    /// Creates a grid with these numbers of columns and rows, whose lines divide the box between two corners. O(columns + rows).
+impl fmt::Debug for Grid {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.form.fmt(f)
+    }
+}
+
+/// The form of a grid, in words.
+impl fmt::Display for Grid {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.form {
+            Form::Even { low, high, columns, rows } => {
+                write!(f, "{columns}x{rows} between ({}, {}) and ({}, {})", low.x, low.y, high.x, high.y)
+            }
+            Form::Fitted(lines) => {
+                write!(f, "{} fitted tiles", self.len())?;
+                let first = lines.iter().flatten().next();
+                let axis = |line: &Line| if line.is_level { "y" } else { "x" };
+                first.map_or(Ok(()), |line| write!(f, " on both sides of {} = {}", axis(line), line.at))
+            }
+        }
+    }
+}
+
+impl Grid {
+    /// Returns the grid of one tile, the whole plane.
+    #[must_use]
+    pub fn everything() -> Self {
+        Self::of_form(Form::Fitted(vec![None])).unwrap_or_else(|_| unreachable!("one tile needs no line"))
+    }
+
+    /// Creates a grid with these numbers of columns and rows, whose lines divide the box between two corners. O(tiles).
     ///
     /// # Errors
     /// [`GridError`].
     pub fn new(low: impl Into<Point>, high: impl Into<Point>, columns: u32, rows: u32) -> Result<Self, GridError> {
-        let grid = Self { low: low.into(), high: high.into(), columns, rows };
-        if !(1..=MOST).contains(&columns) || !(1..=MOST).contains(&rows) {
-            return Err(GridError::Size);
-        }
-        let rises = |of: u32, line: &dyn Fn(u32) -> f64| (2..of).all(|i| line(i - 1) < line(i));
-        let is_exact = |x: f64| in_range(Point::new(x, x));
-        let is_right = rises(columns, &|i| grid.upright(i))
-            && rises(rows, &|i| grid.level(i))
-            && (1..columns).all(|i| is_exact(grid.upright(i)))
-            && (1..rows).all(|i| is_exact(grid.level(i)));
-        if is_right { Ok(grid) } else { Err(GridError::Lines) }
+        Self::of_form(Form::Even { low: low.into(), high: high.into(), columns, rows })
     }
 
-    /// Returns the numbers of columns and rows.
-    #[must_use]
-    pub const fn size(&self) -> [u32; 2] {
-        [self.columns, self.rows]
-    }
-
-    /// Returns the corners of the box that the lines divide.
-    pub(super) const fn corners(&self) -> [Point; 2] {
-        [self.low, self.high]
-    }
-
-    fn upright(&self, column: u32) -> f64 {
-        line(self.low.x, self.high.x, column, self.columns)
-    }
-
-    fn level(&self, row: u32) -> f64 {
-        line(self.low.y, self.high.y, row, self.rows)
-    }
-
-    /// Returns the tile that contains a point. O(log tiles).
-    #[must_use]
-    pub fn tile_of(&self, p: Point) -> Tile {
-        let place = |of: u32, is_passed: &dyn Fn(u32) -> bool| {
-            let (mut low, mut high) = (0, of - 1);
-            while low < high {
-                let middle = low + (high - low).div_ceil(2);
-                if is_passed(middle) {
-                    low = middle;
-                } else {
-                    high = middle - 1;
-                }
-            }
-            low
-        };
-        Tile {
-            column: place(self.columns, &|i| self.upright(i) <= p.x),
-            row: place(self.rows, &|i| self.level(i) <= p.y),
-        }
-    }
-
-    /// Returns the tiles that must be given a feature, row by row: the tiles that meet its box. O(points).
+    /// Creates a grid whose tiles each contain at most `most` points of a sample, as far as lines can part them: equal samples make
+    /// equal grids. Each line divides the longer side of the points' box, where half of them are on either side. O(n log n).
     ///
     /// ```
-    /// use twinedge_map::{Feature, Shape};
+    /// use twinedge_geometry::Point;
     /// use twinedge_coverage::tile::Grid;
     ///
-    /// let grid = Grid::new([0.0, 0.0], [3.0, 3.0], 3, 3)?;
-    /// let path = Feature { shapes: vec![Shape::line([[0.5, 0.5], [1.0, 2.0]])], ..Feature::default() };
-    /// assert_eq!(grid.tiles_of(&path).count(), 6);
-    /// assert_eq!(grid.tiles_of(&Feature::default()).count(), 0);
+    /// // A town, and a few villages.
+    /// let town = (0..900).map(|i| Point::new(f64::from(i % 30), f64::from(i / 30)));
+    /// let villages = [[200.0, 100.0], [-300.0, 50.0], [90.0, 800.0]].map(Point::from);
+    /// let grid = Grid::fitted(town.chain(villages).collect(), 100)?;
+    /// assert_eq!(grid.len(), 16);
     /// # Ok::<(), twinedge_coverage::tile::GridError>(())
     /// ```
-    pub fn tiles_of(&self, feature: &Feature) -> impl Iterator<Item = Tile> + use<> {
-        let grid = *self;
-        corners(feature).into_iter().flat_map(move |(low, high)| grid.tiles_between(low, high))
+    ///
+    /// # Errors
+    /// [`GridError`].
+    pub fn fitted(mut sample: Vec<Point>, most: usize) -> Result<Self, GridError> {
+        let mut lines = Vec::new();
+        fit(&mut sample, most.max(1), &mut lines);
+        Self::of_form(Form::Fitted(lines))
     }
 
-    /// Returns the tiles that meet the closed box between two corners, row by row.
-    pub(super) fn tiles_between(&self, low: Point, high: Point) -> impl Iterator<Item = Tile> + use<> {
-        let (first, last) = (self.tile_of(low), self.tile_of(high));
-        let columns = first.column..=last.column;
-        (first.row..=last.row).flat_map(move |row| columns.clone().map(move |column| Tile { column, row }))
+    fn of_form(form: Form) -> Result<Self, GridError> {
+        let mut nodes = Vec::new();
+        match &form {
+            Form::Even { low, high, columns, rows } => {
+                if columns.checked_mul(*rows).is_none_or(|tiles| tiles == 0 || tiles > MOST) {
+                    return Err(GridError::Size);
+                }
+                let even = Even { low: *low, high: *high, columns: *columns, rows: *rows };
+                even.divide(0..*columns, 0..*rows, &mut nodes);
+            }
+            Form::Fitted(lines) => {
+                let mut lines = lines.iter();
+                let mut tiles = 0;
+                tree(&mut lines, &mut tiles, &mut nodes)?;
+                if lines.next().is_some() {
+                    return Err(GridError::Size);
+                }
+            }
+        }
+        let tiles = nodes.iter().filter(|node| matches!(node, Node::Tile(_))).count();
+        let mut bounds = vec![Bounds::EVERYTHING; tiles];
+        place(&nodes, Bounds::EVERYTHING, 0, &mut bounds)?;
+        Ok(Self { form, nodes: nodes.into(), bounds: bounds.into() })
     }
 
-    /// Returns all tiles, row by row.
+    /// Returns the numbers of columns and rows, if tiles form some.
+    #[must_use]
+    pub const fn size(&self) -> Option<[u32; 2]> {
+        match self.form {
+            Form::Even { columns, rows, .. } => Some([columns, rows]),
+            Form::Fitted(_) => None,
+        }
+    }
+
+    /// Returns the number of tiles.
+    #[must_use]
+    #[expect(clippy::len_without_is_empty, reason = "a grid has a tile")]
+    pub fn len(&self) -> usize {
+        self.bounds.len()
+    }
+
+    /// Returns all tiles, in order.
     ///
     /// ```
     /// use twinedge_coverage::tile::Grid;
@@ -160,63 +206,227 @@ impl Grid {
     /// # Ok::<(), twinedge_coverage::tile::GridError>(())
     /// ```
     pub fn tiles(&self) -> impl Iterator<Item = Tile> + use<> {
-        let columns = self.columns;
-        (0..self.rows).flat_map(move |row| (0..columns).map(move |column| Tile { column, row }))
+        (0..self.len() as u32).map(Tile)
     }
 
     /// Returns true if the grid has this tile.
     #[must_use]
-    pub const fn has(&self, tile: Tile) -> bool {
-        tile.column < self.columns && tile.row < self.rows
+    pub fn has(&self, tile: Tile) -> bool {
+        (tile.0 as usize) < self.len()
     }
 
-    pub(super) fn bounds(&self, tile: Tile) -> Bounds {
-        let Tile { column, row } = tile;
-        Bounds {
-            left: (column > 0).then(|| self.upright(column)),
-            right: (column + 1 < self.columns).then(|| self.upright(column + 1)),
-            bottom: (row > 0).then(|| self.level(row)),
-            top: (row + 1 < self.rows).then(|| self.level(row + 1)),
+    /// Returns the tile that contains a point. O(depth of the lines).
+    #[must_use]
+    pub fn tile_of(&self, p: Point) -> Tile {
+        let mut node = 0;
+        loop {
+            match self.nodes[node] {
+                Node::Tile(tile) => return tile,
+                Node::Divided(line, above) => node = if line.is_passed(p) { above } else { node + 1 },
+            }
         }
     }
 
-    pub(super) fn neighbour(&self, Tile { column, row }: Tile, side: Side) -> Option<Tile> {
-        let [column, row] = match side {
-            Side::Bottom => [column, row.checked_sub(1)?],
-            Side::Right => [column.checked_add(1)?, row],
-            Side::Top => [column, row.checked_add(1)?],
-            Side::Left => [column.checked_sub(1)?, row],
+    /// Returns the tiles that meet the closed box between two corners, in order. O(tiles met · depth of the lines).
+    #[must_use]
+    pub fn tiles_between(&self, low: Point, high: Point) -> Vec<Tile> {
+        let mut found = self.search(|line| [!line.is_passed(low), line.is_passed(high)]);
+        found.sort_unstable();
+        found
+    }
+
+    /// Returns the corners of a tile's box, infinite where the grid ends; `None` if there is no such tile.
+    #[must_use]
+    pub fn corners_of(&self, tile: Tile) -> Option<[Point; 2]> {
+        self.bounds.get(tile.0 as usize).map(|bounds| [bounds.low, bounds.high])
+    }
+
+    pub(super) fn bounds(&self, tile: Tile) -> Bounds {
+        self.bounds[tile.0 as usize]
+    }
+
+    pub(super) fn node(&self, node: usize) -> Node {
+        self.nodes[node]
+    }
+
+    /// Returns the tiles beyond a side of a tile, from the bottom up or from left to right.
+    pub(super) fn beyond(&self, tile: Tile, side: Side) -> Vec<Tile> {
+        let Bounds { low, high } = self.bounds(tile);
+        let at = match side {
+            Side::Bottom => low.y,
+            Side::Right => high.x,
+            Side::Top => high.y,
+            Side::Left => low.x,
         };
-        Some(Tile { column, row }).filter(|tile| self.has(*tile))
+        if at.is_infinite() {
+            return Vec::new();
+        }
+        let is_upper = matches!(side, Side::Right | Side::Top);
+        self.search(|line| {
+            if line.is_level == side.is_upright() {
+                let [from, to] = if line.is_level { [low.y, high.y] } else { [low.x, high.x] };
+                [from < line.at, line.at < to]
+            } else {
+                let is_above = if is_upper { line.at <= at } else { line.at < at };
+                [!is_above, is_above]
+            }
+        })
+    }
+
+    /// Returns the tiles of the parts that `of_line` asks for on both sides of each line, lower parts first.
+    fn search(&self, of_line: impl Fn(Line) -> [bool; 2]) -> Vec<Tile> {
+        let (mut found, mut left) = (Vec::new(), vec![0]);
+        while let Some(node) = left.pop() {
+            match self.nodes[node] {
+                Node::Tile(tile) => found.push(tile),
+                Node::Divided(line, above) => {
+                    let [is_below, is_above] = of_line(line);
+                    left.extend(is_above.then_some(above));
+                    left.extend(is_below.then_some(node + 1));
+                }
+            }
+        }
+        found
     }
 }
 
-fn line(low: f64, high: f64, i: u32, of: u32) -> f64 {
-    // Adding zero turns −0 into 0.
-    low + (high - low) * f64::from(i) / f64::from(of) + 0.0
+impl Line {
+    /// Returns true if a point lies beyond the line, or on it.
+    pub(super) fn is_passed(self, p: Point) -> bool {
+        self.at <= if self.is_level { p.y } else { p.x }
+    }
 }
 
-#[cfg(feature = "serde")]
-#[derive(serde::Serialize, serde::Deserialize)]
-struct Saved {
+struct Even {
     low: Point,
     high: Point,
     columns: u32,
     rows: u32,
 }
 
+impl Even {
+    /// Divides a block of tiles in halves, so that trees are low.
+    fn divide(&self, columns: Range<u32>, rows: Range<u32>, nodes: &mut Vec<Node>) {
+        if columns.len() <= 1 && rows.len() <= 1 {
+            nodes.push(Node::Tile(Tile(rows.start * self.columns + columns.start)));
+            return;
+        }
+        let is_level = rows.len() > columns.len();
+        let (of, low, high, count) = if is_level {
+            (&rows, self.low.y, self.high.y, self.rows)
+        } else {
+            (&columns, self.low.x, self.high.x, self.columns)
+        };
+        let middle = of.start.midpoint(of.end);
+        // Adding zero turns −0 into 0.
+        let at = low + (high - low) * f64::from(middle) / f64::from(count) + 0.0;
+        let node = nodes.len();
+        nodes.push(Node::Divided(Line { is_level, at }, 0));
+        let (below, above) = (of.start..middle, middle..of.end);
+        let part = |of: Range<u32>| if is_level { (columns.clone(), of) } else { (of, rows.clone()) };
+        let (these, those) = part(below);
+        self.divide(these, those, nodes);
+        nodes[node] = Node::Divided(Line { is_level, at }, nodes.len());
+        let (these, those) = part(above);
+        self.divide(these, those, nodes);
+    }
+}
+
+/// Appends the lines that part some points.
+fn fit(points: &mut [Point], most: usize, lines: &mut Vec<Option<Line>>) {
+    let line = if points.len() > most { parting(points) } else { None };
+    lines.push(line);
+    if let Some(line) = line {
+        let below = points.partition_point(|p| !line.is_passed(*p));
+        let (these, those) = points.split_at_mut(below);
+        fit(these, most, lines);
+        fit(those, most, lines);
+    }
+}
+
+/// Returns the line through the middle of some points, which it sorts across the line; `None` if they are equal, or not finite.
+fn parting(points: &mut [Point]) -> Option<Line> {
+    let of = |is_level: bool, p: &Point| if is_level { p.y } else { p.x };
+    let extent = |is_level: bool| {
+        let all = points.iter().map(|p| of(is_level, p));
+        all.clone().fold(f64::NEG_INFINITY, f64::max) - all.fold(f64::INFINITY, f64::min)
+    };
+    let is_level = extent(true) > extent(false);
+    let is_wide = extent(is_level) > 0.0 && extent(is_level).is_finite();
+    if !is_wide {
+        return None;
+    }
+    points.sort_unstable_by(|p, q| of(is_level, p).total_cmp(&of(is_level, q)));
+    let middle = of(is_level, &points[points.len() / 2]);
+    // Some points lie below the line: where half of them are equal to the least, it is the line through the next.
+    let least = of(is_level, &points[0]);
+    let next = || points.iter().map(|p| of(is_level, p)).find(|x| *x > least);
+    let at = if middle > least { middle } else { next()? };
+    Some(Line { is_level, at: at + 0.0 })
+}
+
+/// Appends the nodes of the next part of the plane; tiles are numbered in order.
+fn tree<'l>(
+    lines: &mut impl Iterator<Item = &'l Option<Line>>,
+    tiles: &mut u32,
+    nodes: &mut Vec<Node>,
+) -> Result<(), GridError> {
+    // The upper parts that are still open: the nodes that they belong to.
+    let mut open = Vec::new();
+    loop {
+        match lines.next().ok_or(GridError::Size)? {
+            Some(line) => {
+                open.push(nodes.len());
+                nodes.push(Node::Divided(*line, 0));
+            }
+            None => {
+                nodes.push(Node::Tile(Tile(*tiles)));
+                *tiles += 1;
+                if *tiles > MOST {
+                    return Err(GridError::Size);
+                }
+                let Some(node) = open.pop() else { return Ok(()) };
+                let above = nodes.len();
+                if let Node::Divided(_, of) = &mut nodes[node] {
+                    *of = above;
+                }
+            }
+        }
+    }
+}
+
+/// Sets the bounds of the tiles below a node.
+fn place(nodes: &[Node], within: Bounds, node: usize, bounds: &mut [Bounds]) -> Result<(), GridError> {
+    let mut left = vec![(node, within)];
+    while let Some((node, within)) = left.pop() {
+        match nodes[node] {
+            Node::Tile(tile) => bounds[tile.0 as usize] = within,
+            Node::Divided(line, above) => {
+                let [low, high] =
+                    if line.is_level { [within.low.y, within.high.y] } else { [within.low.x, within.high.x] };
+                if !(low < line.at && line.at < high) || !in_range(Point::new(line.at, line.at)) {
+                    return Err(GridError::Lines);
+                }
+                let [lower, upper] = within.divided(line);
+                left.extend([(node + 1, lower), (above, upper)]);
+            }
+        }
+    }
+    Ok(())
+}
+
 #[cfg(feature = "serde")]
-impl From<Grid> for Saved {
-    fn from(Grid { low, high, columns, rows }: Grid) -> Self {
-        Self { low, high, columns, rows }
+impl From<Grid> for Form {
+    fn from(grid: Grid) -> Self {
+        grid.form
     }
 }
 
 #[cfg(feature = "serde")]
-impl TryFrom<Saved> for Grid {
+impl TryFrom<Form> for Grid {
     type Error = GridError;
 
-    fn try_from(Saved { low, high, columns, rows }: Saved) -> Result<Self, GridError> {
-        Self::new(low, high, columns, rows)
+    fn try_from(form: Form) -> Result<Self, GridError> {
+        Self::of_form(form)
     }
 }

@@ -1,152 +1,279 @@
 //! The part of a map that lies in a tile.
 
 use super::NIL;
-use super::clip::{Bounds, compare_along};
-use super::ends::{Ends, compare_edges, compare_points};
+use super::bounds::{Bounds, Crossings, compare_along};
+use super::cuts::Cuts;
+use super::ends::{Ends, compare_edges, compare_points, in_order};
 use super::fault::{Crossing, CrossingKind};
+use super::piece::{Piece, edges};
 use super::side::Side;
-use rustc_hash::FxHashMap;
-use twinedge::dcel::{FaceKey, HalfEdge, Vertex};
+use twinedge::dcel::RecordKind;
 use twinedge_geometry::Point;
 use twinedge_geometry::crossing::{Clash, clashes};
-use twinedge_map::{Embedding as _, FeatureId, PlanarMap};
+use twinedge_geometry::predicates::compare_angle;
+use twinedge_geometry::sweep::{Below, sweep_all};
+use twinedge_map::BuildError;
 
-pub(super) struct Part {
-    /// The half-edge that leaves the smaller end, by index, and its twin.
-    pub(super) half_edges: [usize; 2],
+/// An edge that meets the tile. Its half-edges are numbered twice its number, from its smaller end, and that plus one.
+pub(super) struct Segment {
     pub(super) ends: Ends,
+    /// Its place in the order of the map.
+    place: u32,
     /// The contacts where the first half-edge enters and leaves the tile.
     pub(super) entry: Option<u32>,
     pub(super) exit: Option<u32>,
 }
 
-pub(super) struct Local<'a> {
-    pub(super) map: &'a PlanarMap,
-    pub(super) numbers: &'a [u32],
+/// An edge as a part of a feature uses it, and the sides of the tile where it enters and leaves.
+struct Use {
+    ends: Ends,
+    sides: [Option<Side>; 2],
+    part: u32,
+    place: u32,
+}
+
+/// A part of a feature, and whether it contains the lower left corner of the tile.
+pub(super) struct Cover {
+    pub(super) feature: u32,
+    pub(super) is_polygon: bool,
+    pub(super) has_corner: bool,
+}
+
+pub(super) struct Cycles {
+    /// For each contact, the contact where the half-edge that enters there leaves again.
+    pub(super) leaves: Vec<u32>,
+    /// The first half-edge of each cycle that no border cuts.
+    pub(super) closed: Vec<u32>,
+}
+
+/// The edges of pieces that meet a tile, and the vertices in it.
+pub(super) struct Local {
     pub(super) bounds: Bounds,
-    pub(super) parts: Vec<Part>,
-    pub(super) part_of: Vec<u32>,
-    /// The contacts counter-clockwise from the lower left corner: the side, the part, true if its first half-edge enters.
+    /// Distinct, in order: the ends of edges, some of them outside, and isolated vertices.
+    pub(super) points: Vec<Point>,
+    /// Distinct, in order.
+    pub(super) segments: Vec<Segment>,
+    ends: Vec<[u32; 2]>,
+    /// The parts of features, and those that use each edge, in order, once for each use.
+    pub(super) covers: Vec<Cover>,
+    uses: Lists,
+    /// The half-edges that leave each point, counter-clockwise from the positive x axis.
+    leaving: Lists,
+    next: Vec<u32>,
+    pub(super) below: Below,
+    pub(super) is_plane: bool,
+    /// The contacts counter-clockwise from the lower left corner: the side, the segment, true if its first half-edge enters.
     pub(super) contacts: Vec<(Side, u32, bool)>,
 }
 
-impl<'a> Local<'a> {
-    pub(super) fn new(map: &'a PlanarMap, numbers: &'a [u32], bounds: Bounds) -> Self {
-        let dcel = map.dcel();
-        let mut local = Self {
-            map,
-            numbers,
-            bounds,
-            parts: Vec::new(),
-            part_of: vec![NIL; dcel.half_edges().last().map_or(0, |h| h.index() + 1)],
-            contacts: Vec::new(),
-        };
+/// Lists of numbers, one after another.
+struct Lists {
+    first: Vec<u32>,
+    all: Vec<u32>,
+}
+
+impl Lists {
+    fn of(&self, i: u32) -> &[u32] {
+        &self.all[self.first[i as usize] as usize..self.first[i as usize + 1] as usize]
+    }
+
+    /// Files each item under its list, in order. O(items + lists).
+    fn new(lists: usize, items: impl Iterator<Item = (u32, u32)> + Clone) -> Self {
+        // After summation, `first[i + 1]` is the start of list i; filing moves it to the end of the list.
+        let mut first = vec![0_u32; lists + 2];
+        for (list, _) in items.clone() {
+            first[list as usize + 2] += 1;
+        }
+        for i in 1..first.len() {
+            first[i] += first[i - 1];
+        }
+        let mut all = vec![0; first[lists + 1] as usize];
+        for (list, item) in items {
+            let place = &mut first[list as usize + 1];
+            all[*place as usize] = item;
+            *place += 1;
+        }
+        Self { first, all }
+    }
+}
+
+impl Local {
+    /// Draws pieces in a tile, with their edges cut if there are cuts. O(n log n).
+    pub(super) fn new(pieces: &[&Piece], bounds: Bounds, cuts: Option<&Cuts>) -> Result<Self, BuildError> {
+        let (mut covers, mut drawn, mut alone) = (Vec::new(), Vec::new(), Vec::new());
+        for piece in pieces {
+            for part in &piece.parts {
+                let number = covers.len() as u32;
+                let mut has_corner = part.has_corner;
+                for chain in &part.chains {
+                    let cut = cuts.map(|cuts| cuts.cut(chain));
+                    if let Some(cut) = cut.as_ref().filter(|_| part.is_polygon) {
+                        // The edges are moved across the corner, if it lies between the chain and what it became.
+                        let around: Vec<Point> = chain.iter().chain(cut.iter().rev()).copied().collect();
+                        has_corner ^= bounds.has_corner_in(&around);
+                    }
+                    let chain = cut.as_ref().unwrap_or(chain);
+                    let before = drawn.len();
+                    drawn.extend(edges(chain).map(|ends| (in_order(ends), number)));
+                    if drawn.len() == before {
+                        alone.extend(chain.first());
+                    }
+                }
+                covers.push(Cover { feature: piece.feature, is_polygon: part.is_polygon, has_corner });
+            }
+        }
+        let mut met: Vec<Use> = Vec::with_capacity(drawn.len());
+        for (ends, part) in drawn {
+            let Crossings { entry, exit } = bounds.crossings(ends);
+            if entry.is_some() || exit.is_some() || bounds.contains(ends[0]) {
+                met.push(Use { ends, sides: [entry, exit], part, place: met.len() as u32 });
+            }
+        }
+        met.sort_unstable_by(|a, b| compare_edges(&a.ends, &b.ends).then(a.place.cmp(&b.place)));
+        alone.retain(|p| bounds.contains(*p));
+        let mut points: Vec<Point> = met.iter().flat_map(|one| one.ends).chain(alone).collect();
+        points.sort_unstable_by(|a, b| compare_points(*a, *b));
+        points.dedup();
         let mut sides: [Vec<(u32, bool)>; 4] = Default::default();
-        for h in dcel.edges() {
-            let mut half_edges = [h, h.twin()];
-            let mut ends = half_edges.map(|h| map.point(h.origin().index()));
-            if compare_points(ends[0], ends[1]).is_gt() {
-                half_edges.reverse();
-                ends.reverse();
-            }
-            let met = bounds.crossings(ends);
-            if met.entry.is_none() && met.exit.is_none() && !bounds.contains(ends[0]) {
-                continue;
-            }
-            let number = local.parts.len() as u32;
-            for (side, is_entry) in [(met.entry, true), (met.exit, false)] {
+        let (mut segments, mut ends, mut first) = (Vec::new(), Vec::new(), vec![0]);
+        for same in met.chunk_by(|a, b| a.ends == b.ends) {
+            let Use { ends: between, sides: met_at, place, .. } = same[0];
+            let number = segments.len() as u32;
+            for (side, is_entry) in met_at.into_iter().zip([true, false]) {
                 if let Some(side) = side {
                     sides[side as usize].push((number, is_entry));
                 }
             }
-            for h in half_edges {
-                local.part_of[h.index()] = number;
-            }
-            let half_edges = half_edges.map(|h| h.index());
-            local.parts.push(Part { half_edges, ends, entry: None, exit: None });
+            let at = |p: Point| points.binary_search_by(|q| compare_points(*q, p)).unwrap_or_default() as u32;
+            segments.push(Segment { ends: between, place, entry: None, exit: None });
+            ends.push(between.map(at));
+            first.push(first.last().unwrap_or(&0) + same.len() as u32);
         }
+        let uses = Lists { first, all: met.into_iter().map(|one| one.part).collect() };
+        let swept = sweep_all(&points, &ends).map_err(|_| BuildError::Full(RecordKind::Vertex))?;
+        let darts = (0..).zip(ends.as_flattened()).map(|(dart, from)| (*from, dart));
+        let leaving = Lists::new(points.len(), darts);
+        let mut local = Self {
+            bounds,
+            next: vec![NIL; 2 * segments.len()],
+            is_plane: swept.1.is_none(),
+            below: swept.0,
+            points,
+            segments,
+            ends,
+            covers,
+            uses,
+            leaving,
+            contacts: Vec::new(),
+        };
+        local.link();
+        local.touch(sides);
+        Ok(local)
+    }
+
+    /// Sorts the rotations, and finds the half-edge after each.
+    fn link(&mut self) {
+        for v in 0..self.points.len() {
+            let range = self.leaving.first[v] as usize..self.leaving.first[v + 1] as usize;
+            let (at, points, ends) = (self.points[v], &self.points, &self.ends);
+            let head = |h: &u32| points[ends[(h >> 1) as usize][1 - (h & 1) as usize] as usize];
+            let leaving = &mut self.leaving.all[range];
+            // Of edges that overlap, the first of the map comes first, as in the map.
+            let place = |h: &u32| self.segments[(h >> 1) as usize].place;
+            leaving.sort_unstable_by(|a, b| compare_angle(at, head(a), head(b)).then(place(a).cmp(&place(b))));
+            // The next half-edge after one that arrives is the one clockwise of its twin.
+            let Some(mut clockwise) = leaving.last().copied() else { continue };
+            for h in &*leaving {
+                self.next[(h ^ 1) as usize] = clockwise;
+                clockwise = *h;
+            }
+        }
+    }
+
+    /// Sorts the contacts around the tile.
+    fn touch(&mut self, sides: [Vec<(u32, bool)>; 4]) {
         for (side, mut along) in Side::ALL.into_iter().zip(sides) {
-            let ends = |part: u32| local.parts[part as usize].ends;
-            if map.is_plane() {
+            let ends = |segment: u32| self.segments[segment as usize].ends;
+            if self.is_plane {
                 along.sort_by(|a, b| compare_along(side, ends(a.0), ends(b.0)));
             }
             if matches!(side, Side::Top | Side::Left) {
                 along.reverse();
             }
-            local.contacts.extend(along.into_iter().map(|(part, is_entry)| (side, part, is_entry)));
+            self.contacts.extend(along.into_iter().map(|(segment, is_entry)| (side, segment, is_entry)));
         }
-        for (contact, (_, part, is_entry)) in (0..).zip(&local.contacts) {
-            let part = &mut local.parts[*part as usize];
-            *(if *is_entry { &mut part.entry } else { &mut part.exit }) = Some(contact);
+        for (contact, (_, segment, is_entry)) in (0..).zip(&self.contacts) {
+            let segment = &mut self.segments[*segment as usize];
+            *(if *is_entry { &mut segment.entry } else { &mut segment.exit }) = Some(contact);
         }
-        local
     }
 
-    pub(super) fn half_edge(&self, h: usize) -> Option<HalfEdge<'a>> {
-        self.map.dcel().half_edge_at(h)
+    /// Returns the points in the tile, by number.
+    pub(super) fn inside(&self) -> impl Iterator<Item = (u32, Point)> + '_ {
+        (0..).zip(self.points.iter().copied()).filter(|(_, p)| self.bounds.contains(*p))
     }
 
-    pub(super) fn vertex_is_inside(&self, vertex: Vertex<'_>) -> bool {
-        self.bounds.contains(self.map.point(vertex.index()))
+    /// Returns the number of a point.
+    pub(super) fn number(&self, p: Point) -> Option<u32> {
+        self.points.binary_search_by(|q| compare_points(*q, p)).ok().map(|number| number as u32)
     }
 
-    pub(super) fn entering(&self, contact: u32) -> usize {
-        let (_, part, is_entry) = self.contacts[contact as usize];
-        self.parts[part as usize].half_edges[usize::from(!is_entry)]
+    pub(super) fn origin(&self, h: u32) -> u32 {
+        self.ends[(h >> 1) as usize][(h & 1) as usize]
+    }
+
+    pub(super) fn next(&self, h: u32) -> u32 {
+        self.next[h as usize]
+    }
+
+    pub(super) fn leaving(&self, point: u32) -> &[u32] {
+        self.leaving.of(point)
+    }
+
+    /// Returns the parts that use an edge, once for each use.
+    pub(super) fn uses(&self, segment: u32) -> &[u32] {
+        self.uses.of(segment)
+    }
+
+    pub(super) fn entering(&self, contact: u32) -> u32 {
+        let (_, segment, is_entry) = self.contacts[contact as usize];
+        segment << 1 | u32::from(!is_entry)
     }
 
     /// Returns the contact at which a half-edge leaves the tile, if it does.
-    pub(super) fn leaves_at(&self, h: usize) -> Option<u32> {
-        let part = &self.parts[self.part_of[h] as usize];
-        if part.half_edges[0] == h { part.exit } else { part.entry }
+    pub(super) fn leaves_at(&self, h: u32) -> Option<u32> {
+        let segment = &self.segments[(h >> 1) as usize];
+        if h & 1 == 0 { segment.exit } else { segment.entry }
     }
 
-    pub(super) fn numbers(&self, features: impl Iterator<Item = FeatureId>) -> Vec<u32> {
-        features.map(|feature| self.numbers[feature.index()]).collect()
-    }
-
-    /// Returns the numbers of the features that cover a face.
-    pub(super) fn covering(&self, face: Option<FaceKey>) -> Vec<u32> {
-        let features = face.and_then(|face| self.map.features_of(face).ok());
-        features.map(|features| self.numbers(features)).unwrap_or_default()
-    }
-
-    pub(super) fn features_along(&self, h: usize) -> Vec<u32> {
-        let along = self.half_edge(h).and_then(|h| self.map.features_along(h.key()).ok());
-        along.map(|along| self.numbers(along)).unwrap_or_default()
-    }
-
-    /// Returns the numbers of the features along the edges at a vertex.
-    fn features_at(&self, vertex: &Vertex<'_>) -> Vec<u32> {
-        vertex.rotation().flat_map(|h| self.features_along(h.index())).collect()
+    /// Returns the numbers of the features along an edge.
+    pub(super) fn features_along(&self, segment: u32) -> Vec<u32> {
+        let mut features: Vec<u32> =
+            self.uses(segment).iter().map(|part| self.covers[*part as usize].feature).collect();
+        features.sort_unstable();
+        features.dedup();
+        features
     }
 
     /// Returns the pairs of edges that meet other than at shared endpoints.
     pub(super) fn crossings(&self) -> Vec<Crossing> {
-        if self.map.is_plane() {
+        if self.is_plane {
             return Vec::new();
         }
-        let points: Vec<Point> = self.parts.iter().flat_map(|part| part.ends).collect();
-        let alone = self.map.dcel().vertices().filter(|v| v.leaving().is_none() && self.vertex_is_inside(*v));
-        let mut points: Vec<Point> = points.into_iter().chain(alone.map(|v| self.map.point(v.index()))).collect();
-        points.sort_by(|a, b| compare_points(*a, *b));
-        points.dedup();
-        let number = |p: Point| points.binary_search_by(|q| compare_points(*q, p)).unwrap_or_default() as u32;
-        let segments: Vec<[u32; 2]> = self.parts.iter().map(|part| part.ends.map(number)).collect();
-        let ends = |segment: u32| self.parts[segment as usize].ends;
-        let vertices = self.map.dcel().vertices().filter(|v| self.vertex_is_inside(*v));
-        let vertices: FxHashMap<(u64, u64), Vertex<'_>> =
-            vertices.map(|v| (self.map.point(v.index()).hash_key(), v)).collect();
-        let along = |segment: u32| self.features_along(self.parts[segment as usize].half_edges[0]);
+        let ends = |segment: u32| self.segments[segment as usize].ends;
+        let along = |segment: u32| self.features_along(segment);
         let crossing = |clash: Clash| {
             let (kind, a, b, mut features) = match clash {
                 Clash::Cross { a, b } => (CrossingKind::Cross, ends(a), ends(b), [along(a), along(b)].concat()),
                 Clash::Overlap { a, b } => (CrossingKind::Overlap, ends(a), ends(b), [along(a), along(b)].concat()),
                 Clash::Touch { vertex, segment } => {
-                    let at = points[vertex as usize];
+                    let at = self.points[vertex as usize];
                     // The tile of a vertex knows the edges that end at it.
-                    let vertex = vertices.get(&at.hash_key())?;
-                    (CrossingKind::Touch, [at; 2], ends(segment), [self.features_at(vertex), along(segment)].concat())
+                    if !self.bounds.contains(at) {
+                        return None;
+                    }
+                    let at_vertex = self.leaving(vertex).iter().flat_map(|h| along(h >> 1));
+                    (CrossingKind::Touch, [at; 2], ends(segment), at_vertex.chain(along(segment)).collect())
                 }
                 Clash::SamePlace { .. } => return None,
             };
@@ -156,38 +283,45 @@ impl<'a> Local<'a> {
             let [first, second] = if is_in_order { [a, b] } else { [b, a] };
             Some(Crossing { kind, first, second, features })
         };
-        let (found, _) = clashes(&points, &segments, usize::MAX).unwrap_or_default();
+        let (found, _) = clashes(&self.points, &self.ends, usize::MAX).unwrap_or_default();
         found.into_iter().filter_map(crossing).collect()
     }
 
-    /// Returns the cycles: for each contact, the contact where the half-edge that enters there leaves again; and the first
-    /// half-edge of each cycle that no border cuts.
-    pub(super) fn trace(&self) -> (Vec<u32>, Vec<usize>) {
-        let mut is_passed = vec![false; self.part_of.len()];
+    /// O(half-edges).
+    pub(super) fn trace(&self) -> Cycles {
+        let mut is_passed = vec![false; self.next.len()];
         let mut leaves = Vec::with_capacity(self.contacts.len());
-        let next = |h: usize| self.half_edge(h).map_or(h, |h| h.next().index());
         for contact in 0..self.contacts.len() as u32 {
             let mut h = self.entering(contact);
             loop {
-                is_passed[h] = true;
+                is_passed[h as usize] = true;
                 if let Some(contact) = self.leaves_at(h) {
                     leaves.push(contact);
                     break;
                 }
-                h = next(h);
+                h = self.next(h);
             }
         }
         let mut closed = Vec::new();
-        for start in self.parts.iter().flat_map(|part| part.half_edges) {
-            let mut h = start;
-            if !is_passed[h] {
+        for start in 0..self.next.len() as u32 {
+            if !is_passed[start as usize] {
                 closed.push(start);
             }
-            while !is_passed[h] {
-                is_passed[h] = true;
-                h = next(h);
+            let mut h = start;
+            while !is_passed[h as usize] {
+                is_passed[h as usize] = true;
+                h = self.next(h);
             }
         }
-        (leaves, closed)
+        Cycles { leaves, closed }
+    }
+
+    /// Returns the half-edges of a cycle, up to where it leaves the tile.
+    pub(super) fn along(&self, start: u32) -> impl Iterator<Item = u32> + '_ {
+        let next = move |h: &u32| {
+            let next = self.next(*h);
+            (next != start && self.leaves_at(*h).is_none()).then_some(next)
+        };
+        core::iter::successors(Some(start), next)
     }
 }

@@ -1,11 +1,9 @@
 //! Merging summaries.
 
-use super::ends::compare_edges;
+use super::ends::{around, compare_edges};
 use super::error::MergeError;
-use super::extent::around;
 use super::fault::{SeamFault, SeamRule};
 use super::grid::Tile;
-use super::side::Side;
 use super::summary::{Border, Contact, Joins, Summary};
 use crate::Limits;
 use core::cmp::Ordering;
@@ -18,13 +16,13 @@ impl Summary {
     /// ```
     /// use twinedge_coverage::Limits;
     /// use twinedge_map::{Feature, Shape};
-    /// use twinedge_coverage::tile::{Grid, MergeError, Summary};
+    /// use twinedge_coverage::tile::{Cuts, Grid, MergeError, Summary};
     ///
     /// let grid = Grid::new([0.0, 0.0], [2.0, 1.0], 2, 1)?;
     /// let square = Shape::polygon([[0.5, 0.0], [1.5, 0.0], [1.5, 1.0], [0.5, 1.0]]);
-    /// let features = [(0, &Feature { shapes: vec![square], ..Feature::default() })];
+    /// let pieces = Cuts::new(2.0)?.pieces(&grid, 0, &Feature { shapes: vec![square], ..Feature::default() })?;
     /// let limits = Limits::default();
-    /// let halves: Vec<Summary> = grid.tiles().map(|tile| Summary::new(&grid, tile, features, &limits).unwrap()).collect();
+    /// let halves: Vec<Summary> = grid.tiles().map(|tile| Summary::new(&grid, tile, &pieces, &limits).unwrap()).collect();
     /// assert_eq!(halves[0].contact_count(), 2);
     /// let whole = halves[0].clone().merge(halves[1].clone())?;
     /// assert_eq!(whole.contact_count(), 0);
@@ -38,31 +36,27 @@ impl Summary {
         self.belongs_to(&other)?;
         let mut both = beside(self, other);
         let mut joins = Joins::new(&both);
-        let mut borders: BTreeMap<(Tile, Side), Border> =
-            core::mem::take(&mut both.borders).into_iter().map(|border| ((border.tile, border.side), border)).collect();
-        let keys: Vec<(Tile, Side)> = borders.keys().copied().collect();
-        for (tile, side) in keys.into_iter().filter(|(_, side)| matches!(side, Side::Right | Side::Top)) {
-            let there = both.grid.neighbour(tile, side).map(|neighbour| (neighbour, side.opposite()));
-            let Some(there) = there.filter(|there| borders.contains_key(there)) else { continue };
-            if let (Some(here), Some(there)) = (borders.remove(&(tile, side)), borders.remove(&there)) {
-                both.join(&here, &there, &mut joins);
+        let mut open: BTreeMap<[Tile; 2], Border> = BTreeMap::new();
+        for border in core::mem::take(&mut both.borders) {
+            match open.remove(&[border.beyond, border.tile]) {
+                Some(there) if there.tile < border.tile => both.join(&there, &border, &mut joins),
+                Some(there) => both.join(&border, &there, &mut joins),
+                None => drop(open.insert([border.tile, border.beyond], border)),
             }
         }
-        both.borders = borders.into_values().collect();
+        both.borders = open.into_values().collect();
         Ok(both.settled(&mut joins))
     }
 
     /// Checks that both have one grid and the same limits, and no tile in common.
     pub(super) fn belongs_to(&self, other: &Self) -> Result<(), MergeError> {
         let all = [self, other].map(|one| {
-            let ([columns, rows], [low, high]) = (one.grid.size(), one.grid.corners());
             let Limits { gap_width, lake_width, sliver_area, thinness, accepted_gaps } = &one.limits;
             let points =
                 |points: &[Point]| points.iter().map(|p| format!("({}, {})", p.x, p.y)).collect::<Vec<_>>().join(" ");
             let number = |limit: &Option<f64>| limit.map_or_else(|| "none".to_owned(), |limit| limit.to_string());
             [
-                ("the grid", format!("{columns}x{rows}")),
-                ("the box", points(&[low, high])),
+                ("the grid", one.grid.to_string()),
                 ("gap_width", number(gap_width)),
                 ("lake_width", number(lake_width)),
                 ("sliver_area", number(sliver_area)),
@@ -73,6 +67,10 @@ impl Summary {
         let [ones, others] = all;
         if let Some((one, other)) = ones.into_iter().zip(others).find(|(one, other)| one != other) {
             return Err(MergeError::Different { what: one.0.to_owned(), one: one.1, other: other.1 });
+        }
+        if self.grid != other.grid {
+            let other = format!("another of {}", other.grid);
+            return Err(MergeError::Different { what: "the grid".to_owned(), one: self.grid.to_string(), other });
         }
         match self.tiles.iter().find(|tile| other.tiles.binary_search(tile).is_ok()) {
             Some(tile) => Err(MergeError::Twice(*tile)),
@@ -128,7 +126,7 @@ impl Summary {
         let fault = |rule, border: &Border, contact: Option<&&Contact>| SeamFault {
             rule,
             tile: border.tile,
-            side: border.side,
+            beyond: border.beyond,
             edge: contact.map(|contact| contact.edge),
         };
         let is_same = |a: &Contact, b: &Contact| compare_edges(&a.edge, &b.edge).is_eq();

@@ -1,25 +1,26 @@
 //! Maps in tiles: each tile of a grid is audited alone, and the summaries add up to the audit of the whole map.
 //!
-//! A [`Grid`] divides a map that is too large for one machine, or shared by several workers. [`Summary::new`] summarizes a tile
-//! from its features. [`Summary::merge`] combines two summaries, in any order. [`Summary::finish`] turns the summary of all tiles
-//! into the audit of the whole map: the counts, whether the map is a planar subdivision, and the findings of C1 … C7, with the
-//! same features and locations and, up to rounding, the same areas, widths and lengths. [`audit`] does this on one machine.
+//! A [`Grid`] divides a map that is too large for one machine, or shared by several workers. [`Cuts::pieces`] divides each feature
+//! into the pieces that tiles need. [`Summary::new`] summarizes a tile from its pieces. [`Summary::merge`] combines two summaries, in any
+//! order. [`Summary::finish`] turns the summary of all tiles into the audit of the whole map: the counts, whether the map is a planar
+//! subdivision, and the findings of C1 … C7, with the same features and locations and, up to rounding, the same areas, widths and lengths.
+//! [`audit`] does this on one machine.
 //!
 //! ```
 //! use twinedge_coverage::{CoverageRule, Limits};
 //! use twinedge_map::{Feature, Shape};
-//! use twinedge_coverage::tile::{Grid, Summary};
+//! use twinedge_coverage::tile::{Cuts, Grid, Summary};
 //!
 //! // Two parcels with a gap between them, which is closed above and below.
 //! let parcel = |ring: &[[f64; 2]]| Feature { shapes: vec![Shape::polygon(ring.to_vec())], ..Feature::default() };
 //! let west = parcel(&[[0.0, 0.0], [4.0, 0.0], [3.0, 2.0], [4.0, 4.0], [0.0, 4.0]]);
 //! let east = parcel(&[[4.0, 0.0], [8.0, 0.0], [8.0, 4.0], [4.0, 4.0], [5.0, 2.0]]);
-//! let features = [(0, &west), (1, &east)];
 //!
-//! // Four tiles meet in the middle of the gap.
-//! let grid = Grid::new([0.0, 0.0], [8.0, 4.0], 2, 2)?;
+//! // Four tiles meet in the middle of the gap. No coordinate is larger than 8.
+//! let (grid, cuts) = (Grid::new([0.0, 0.0], [8.0, 4.0], 2, 2)?, Cuts::new(8.0)?);
+//! let pieces = [cuts.pieces(&grid, 0, &west)?, cuts.pieces(&grid, 1, &east)?].concat();
 //! let limits = Limits::default();
-//! let mut tiles = grid.tiles().map(|tile| Summary::new(&grid, tile, features, &limits));
+//! let mut tiles = grid.tiles().map(|tile| Summary::new(&grid, tile, &pieces, &limits));
 //! let first = tiles.next().unwrap()?;
 //! let whole = tiles.try_fold(first, |sum, tile| Ok::<_, Box<dyn std::error::Error>>(sum.merge(tile?)?))?;
 //!
@@ -33,10 +34,11 @@
 //!
 //! # What a tile is given
 //!
-//! A tile is given all features whose boxes meet it, whole, with their numbers in the map; [`Grid::tiles_of`] assigns features to
-//! tiles. So a tile knows which features cover its faces even where it has no edge, and neighbours must agree. [`Summary::new`]
-//! takes edges as they are: they should meet only at shared endpoints. If they do not, this is detected, and the map is audited
-//! with cut edges: [`Cuts`] are found tile by tile, and [`Summary::cut`] makes the summaries that determine the coverage.
+//! A [`Piece`] has the edges of a feature that meet the tile or come very near it, and says which polygons of the feature contain the
+//! tile's lower left corner. So all tiles together are given little more than the map, and a tile inside a feature is given its number.
+//! Each feature needs a number of its own in the map. [`Summary::new`] takes edges as they are: they should meet only at shared endpoints.
+//! If they do not, this is detected, and the map is audited with cut edges: [`Cuts`] are found tile by tile, and [`Summary::cut`] makes
+//! the summaries that determine the coverage.
 //!
 //! # What a summary holds
 //!
@@ -74,7 +76,7 @@
 //! | S2 order | both tiles see these edges in the same order |
 //! | S3 features | both tiles see the same features along each edge, and on each face between two |
 //!
-//! They are broken if tiles were made from different data, or a feature was not given to a tile that it meets. If a contact is
+//! They are broken if tiles were made from different data, or a piece of a feature was not given to its tile. If a contact is
 //! missing, both sides are joined only as far as they agree, and the counts follow from that.
 //!
 //! # What is checked
@@ -90,14 +92,14 @@
 //! [`Limits`]: crate::Limits
 
 mod audit;
+mod bounds;
 #[cfg(feature = "serde")]
 mod bytes;
 mod claimed;
-mod clip;
 mod cuts;
 mod ends;
 mod error;
-mod extent;
+mod faces;
 mod fault;
 mod findings;
 mod finish;
@@ -105,7 +107,7 @@ mod grid;
 mod large;
 mod local;
 mod merge;
-mod pieces;
+mod piece;
 mod portion;
 mod region;
 #[cfg(feature = "serde")]
@@ -122,8 +124,8 @@ pub use error::{AuditError, FinishError, MergeError, TileError};
 pub use fault::{Crossing, CrossingKind, SeamFault, SeamRule, Uneven};
 pub use finish::Outcome;
 pub use grid::{Grid, GridError, Tile};
+pub use piece::Piece;
 pub use portion::Portion;
-pub use side::Side;
 pub use summary::Summary;
 
 const NIL: u32 = u32::MAX;

@@ -3,9 +3,9 @@
 use super::cuts::{Cuts, Source};
 use super::error::{MergeError, TileError};
 use super::grid::{Grid, Tile};
+use super::piece::Piece;
 use super::summary::Summary;
 use crate::Limits;
-use twinedge_map::Feature;
 
 /// The audit of one tile, or of several merged tiles.
 ///
@@ -17,14 +17,15 @@ use twinedge_map::Feature;
 ///
 /// ```
 /// use twinedge_coverage::Limits;
-/// use twinedge_coverage::tile::{Grid, MergeError, Portion, Source, Tile};
+/// use twinedge_coverage::tile::{Cuts, Grid, MergeError, Portion, Source, Tile};
 /// use twinedge_map::{Feature, Shape};
 ///
 /// let square = Feature { shapes: vec![Shape::polygon([[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]])], ..Feature::default() };
 /// let grid = Grid::new([0.0, 0.0], [2.0, 2.0], 2, 1)?;
-/// let portion = |column, snapshot: &str| {
+/// let pieces = Cuts::new(2.0)?.pieces(&grid, 0, &square)?;
+/// let portion = |tile, snapshot: &str| {
 ///     let source = Source::from([("snapshot".to_owned(), snapshot.to_owned())]);
-///     let portion = Portion::new(&grid, Tile { column, row: 0 }, [(0, &square)], &Limits::default(), None);
+///     let portion = Portion::new(&grid, Tile(tile), &pieces, &Limits::default(), None);
 ///     portion.map(|portion| portion.with_source(source))
 /// };
 /// let whole = portion(0, "7")?.merge(portion(1, "7")?)?;
@@ -42,25 +43,25 @@ pub struct Portion {
 }
 
 impl Portion {
-    /// Audits a tile, from the features that [`Cuts::tiles_of`] assigns to it, with their numbers in the map; others have no effect. Without
-    /// `cuts`, which may be too many to be found, the coverage is known only if edges meet at vertices alone. The source is that of the cuts.
-    /// O(n log n) for n segments.
+    /// Audits a tile from its pieces of features, as [`Cuts::pieces`] returns them; those of other tiles have no effect. Without `cuts`, which
+    /// may be too many to be found, the coverage is known only if edges meet at vertices alone. The source is that of the cuts. O(n log n)
+    /// for n points.
     ///
     /// # Errors
     /// [`TileError`]; of these [`OtherCuts`](TileError::OtherCuts) if the cuts are not complete.
-    pub fn new<'f>(
+    pub fn new<'p>(
         grid: &Grid,
         tile: Tile,
-        features: impl IntoIterator<Item = (u32, &'f Feature)> + Clone,
+        pieces: impl IntoIterator<Item = &'p Piece> + Clone,
         limits: &Limits,
         cuts: Option<&Cuts>,
     ) -> Result<Self, TileError> {
         if cuts.is_some_and(|cuts| !cuts.is_complete()) {
             return Err(TileError::OtherCuts);
         }
-        let summary = Summary::new(grid, tile, features.clone(), limits)?;
+        let summary = Summary::new(grid, tile, pieces.clone(), limits)?;
         // Even if there are no cuts: edges that meet within one cell are moved apart, or together, by rounding alone.
-        let cut = cuts.map(|cuts| Summary::cut(grid, tile, features, limits, cuts)).transpose()?;
+        let cut = cuts.map(|cuts| Summary::cut(grid, tile, pieces, limits, cuts)).transpose()?;
         Ok(Self { source: cuts.map(|cuts| cuts.source().clone()).unwrap_or_default(), summary, cut })
     }
 

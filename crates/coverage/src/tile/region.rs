@@ -56,13 +56,13 @@ impl Claim {
     }
 }
 
-/// An edge, with the features that cover the faces on its left and right, seen from its smaller end; [for a
-/// part](Claim::kept_of), only its own feature.
-#[derive(Clone, Debug, PartialEq)]
+/// An edge, with the features that cover the faces on its left and right, seen from its smaller end, by their indices in the
+/// region; [for a part](Claim::kept_of), only its own feature.
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Edge {
     pub(super) ends: Ends,
-    pub(super) sides: [Vec<u32>; 2],
+    pub(super) sides: [u32; 2],
 }
 
 /// A set of connected faces with equal claims.
@@ -73,26 +73,77 @@ pub(super) struct Region {
     pub(super) is_unbounded: bool,
     /// True for a part larger than slivers, which has no edges.
     pub(super) is_large: bool,
+    /// The sets of features beside its edges: distinct and in order, once it is [sorted](Self::sort).
+    pub(super) sets: Vec<Vec<u32>>,
     pub(super) edges: Vec<Edge>,
 }
 
 impl Region {
     pub(super) const fn new(claim: Claim) -> Self {
-        Self { claim, is_unbounded: false, is_large: false, edges: Vec::new() }
+        Self { claim, is_unbounded: false, is_large: false, sets: Vec::new(), edges: Vec::new() }
+    }
+
+    /// Returns the region of all edges of others, with the claim of the first; `None` if there are none.
+    pub(super) fn joined<'r>(others: impl IntoIterator<Item = &'r Self>) -> Option<Self> {
+        let all = others.into_iter().cloned().reduce(|mut all, other| {
+            all.add(other);
+            all
+        });
+        all.map(|mut all| {
+            all.sort();
+            all
+        })
+    }
+
+    /// Adds an edge, with the features beside it. The region must be [sorted](Self::sort) afterwards.
+    pub(super) fn put(&mut self, ends: Ends, sides: [&[u32]; 2]) {
+        let sides = sides.map(|features| {
+            let features = self.claim.kept_of(features);
+            // Edges that follow each other have the same features.
+            let known = self.sets.iter().rev().take(4).position(|set| *set == features);
+            let from_last = known.unwrap_or_else(|| {
+                self.sets.push(features);
+                0
+            });
+            (self.sets.len() - 1 - from_last) as u32
+        });
+        self.edges.push(Edge { ends, sides });
     }
 
     /// Adds another part of the region. The region must be [sorted](Self::sort) afterwards.
     pub(super) fn add(&mut self, mut other: Self) {
         self.is_unbounded |= other.is_unbounded;
         self.is_large |= other.is_large;
-        self.edges.append(&mut other.edges);
+        let before = self.sets.len() as u32;
+        self.sets.append(&mut other.sets);
+        self.edges.extend(other.edges.iter().map(|edge| Edge { sides: edge.sides.map(|set| set + before), ..*edge }));
     }
 
     pub(super) fn sort(&mut self) {
         if self.is_large {
             self.edges = Vec::new();
         }
-        sort_edges(&mut self.edges);
+        self.edges.sort_by(|e, f| compare_edges(&e.ends, &f.ends));
+        self.edges.dedup_by(|e, f| compare_edges(&e.ends, &f.ends).is_eq());
+        let mut is_used = vec![false; self.sets.len()];
+        for set in self.edges.iter().flat_map(|edge| edge.sides) {
+            is_used[set as usize] = true;
+        }
+        let used = self.sets.iter().zip(is_used).filter(|(_, is_used)| *is_used);
+        let mut sets: Vec<Vec<u32>> = used.map(|(set, _)| set.clone()).collect();
+        sets.sort_unstable();
+        sets.dedup();
+        let place: Vec<u32> =
+            self.sets.iter().map(|set| sets.binary_search(set).unwrap_or_default() as u32).collect();
+        for edge in &mut self.edges {
+            edge.sides = edge.sides.map(|set| place[set as usize]);
+        }
+        self.sets = sets;
+    }
+
+    /// Returns the features on the left and right of an edge.
+    fn beside(&self, edge: &Edge) -> [&[u32]; 2] {
+        edge.sides.map(|set| &self.sets[set as usize][..])
     }
 
     pub(super) fn compare(&self, other: &Self) -> Ordering {
@@ -105,11 +156,11 @@ impl Region {
     /// Returns the features across its border, in order.
     pub(super) fn around(&self) -> Vec<u32> {
         let beyond = |edge: &Edge| {
-            let is_of = edge.sides.each_ref().map(|side| self.claim.is_of(side));
-            let side = usize::from(is_of[0]);
-            if is_of[side] { Vec::new() } else { edge.sides[side].clone() }
+            let beside = self.beside(edge);
+            let side = usize::from(self.claim.is_of(beside[0]));
+            if self.claim.is_of(beside[side]) { &[] } else { beside[side] }
         };
-        let mut features: Vec<u32> = self.edges.iter().flat_map(beyond).collect();
+        let mut features: Vec<u32> = self.edges.iter().flat_map(beyond).copied().collect();
         features.sort_unstable();
         features.dedup();
         features
@@ -118,8 +169,8 @@ impl Region {
     fn size(&self) -> (f64, f64) {
         let origin = self.edges.first().map_or_else(Point::default, |edge| edge.ends[0]);
         let (mut twice, mut length) = (Sum::default(), Sum::default());
-        for Edge { ends: [a, b], sides } in &self.edges {
-            let is_of = sides.each_ref().map(|side| self.claim.is_of(side));
+        for edge in &self.edges {
+            let (is_of, [a, b]) = (self.beside(edge).map(|features| self.claim.is_of(features)), edge.ends);
             if is_of[0] == is_of[1] {
                 continue;
             }
@@ -129,11 +180,6 @@ impl Region {
         }
         (twice.value() / 2.0, length.value())
     }
-}
-
-pub(super) fn sort_edges(edges: &mut Vec<Edge>) {
-    edges.sort_by(|e, f| compare_edges(&e.ends, &f.ends));
-    edges.dedup_by(|e, f| compare_edges(&e.ends, &f.ends).is_eq());
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -163,7 +209,7 @@ pub(super) fn examined(part: &Region, limits: &Limits) -> (f64, Option<Sliver>) 
     if !is_small(less) || !is_thin(less, length, limits) {
         return (area, None);
     }
-    let sliver = Drawing::new(&part.edges).map(|drawing| {
+    let sliver = Drawing::new(part).map(|drawing| {
         let Finding { area, width, length, at, corner, .. } =
             drawing.finding(CoverageRule::Sliver, &[feature], &|features| part.claim.is_of(features));
         Sliver { feature, area, width, length, at, corner }
@@ -171,17 +217,18 @@ pub(super) fn examined(part: &Region, limits: &Limits) -> (f64, Option<Sliver>) 
     (area, sliver.filter(|sliver| is_small(sliver.area) && is_thin(sliver.area, sliver.length, limits)))
 }
 
-/// A map built from edges whose adjacent coverage is already known.
+/// A map built from the edges of a region.
 pub(super) struct Drawing<'a> {
     pub(super) map: PlanarMap,
-    edges: &'a [Edge],
+    region: &'a Region,
     /// The edge of each half-edge by half its index, and true if the half-edge with the even index leaves its smaller end.
     of: Vec<Option<(usize, bool)>>,
 }
 
 impl<'a> Drawing<'a> {
-    /// Builds the map. `edges` must be sorted. Returns `None` if they do not form a map. O(n log n).
-    pub(super) fn new(edges: &'a [Edge]) -> Option<Self> {
+    /// Builds the map. The region must be sorted. Returns `None` if its edges do not form a map. O(n log n).
+    pub(super) fn new(region: &'a Region) -> Option<Self> {
+        let edges = &region.edges;
         let shapes = edges.iter().map(|edge| Shape::line(edge.ends)).collect();
         let mut builder = Builder::new();
         builder.feature(&Feature { shapes, ..Feature::default() }).ok()?;
@@ -197,14 +244,14 @@ impl<'a> Drawing<'a> {
             found.resize(h.index() / 2, None);
             found.push(Some((edge, is_forth)));
         }
-        Some(Self { map, edges, of: found })
+        Some(Self { map, region, of: found })
     }
 
     /// Returns the number of the edge of a half-edge, and the features that cover the face on its left.
     pub(super) fn left(&self, h: HalfEdge<'_>) -> Option<(usize, &'a [u32])> {
         let (edge, is_forth) = self.of.get(h.index() / 2).copied().flatten()?;
         let is_left = h.index().is_multiple_of(2) == is_forth;
-        Some((edge, &self.edges[edge].sides[usize::from(!is_left)]))
+        Some((edge, self.region.beside(&self.region.edges[edge])[usize::from(!is_left)]))
     }
 
     /// Returns the faces next to edges whose features satisfy `is_of`, in order of their indices.

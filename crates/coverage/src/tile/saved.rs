@@ -5,9 +5,9 @@ use super::cuts::Source;
 use super::ends::{Ends, compare_edges};
 use super::fault::{Crossing, SeamFault, Uneven};
 use super::grid::{Grid, Tile};
-use super::portion::Portion;
-use super::region::{Claim, Edge, Region, Sliver};
 use super::side::Side;
+use super::portion::Portion;
+use super::region::{Claim, Region, Sliver};
 use super::summary::{Border, Component, Face, MOST, Summary, Totals};
 use crate::{Defect, Limits};
 use thiserror::Error;
@@ -69,13 +69,13 @@ impl TryFrom<Saved> for Summary {
             return Err(SavedError::Tiles);
         }
         // A border exists if and only if the tile beyond it is absent.
-        let expected = tiles.iter().flat_map(|tile| {
-            let sides = Side::ALL.into_iter();
-            let is_open =
-                |side: &Side| grid.neighbour(*tile, *side).is_some_and(|there| tiles.binary_search(&there).is_err());
-            sides.filter(is_open).map(|side| (*tile, side))
-        });
-        if !expected.eq(borders.iter().map(|border| (border.tile, border.side))) {
+        let mut expected: Vec<(Tile, Tile)> = Vec::new();
+        for tile in &tiles {
+            let beyond = Side::ALL.into_iter().flat_map(|side| grid.beyond(*tile, side));
+            expected.extend(beyond.filter(|there| tiles.binary_search(there).is_err()).map(|there| (*tile, there)));
+        }
+        expected.sort_unstable();
+        if !expected.into_iter().eq(borders.iter().map(|border| (border.tile, border.beyond))) {
             return Err(SavedError::Tiles);
         }
         let has = |of: usize, i: u32| (i as usize) < of;
@@ -105,18 +105,18 @@ impl TryFrom<Saved> for Summary {
         }
         let is_exact = |ends: &Ends| ends.iter().all(|p| in_range(*p));
         let contacts = || borders.iter().flat_map(|border| &border.contacts);
-        let all = || regions.iter().chain(&closed).map(|region| &region.edges);
-        let are_sorted = |edges: &Vec<Edge>| {
+        let all = || regions.iter().chain(&closed);
+        let is_sorted = |Region { sets, edges, .. }: &Region| {
             edges.windows(2).all(|pair| compare_edges(&pair[0].ends, &pair[1].ends).is_lt())
-                && edges.iter().all(|edge| is_exact(&edge.ends))
+                && edges.iter().all(|edge| is_exact(&edge.ends) && edge.sides.iter().all(|set| has(sets.len(), *set)))
         };
         let is_first = |place: u32| claimed.get(place as usize).is_some_and(|one| one.like == Some(place));
-        let is_in_order = all().all(are_sorted)
+        let is_in_order = all().all(is_sorted)
             && extents.windows(2).all(|pair| pair[0].0 < pair[1].0)
             && contacts().all(|contact| is_exact(&contact.edge))
             && corners.is_none_or(|[low, high]| is_exact(&[low, high]) && low.x <= high.x && low.y <= high.y)
             && claimed.windows(2).all(|pair| pair[0].key() < pair[1].key())
-            && claimed.iter().all(|one| one.is_in(&grid))
+            && claimed.iter().all(|one| one.of > 0 && grid.has(one.first))
             && (0..).zip(&claimed).all(|(place, one)| one.like.is_none_or(|like| like <= place && is_first(like)));
         if !is_in_order {
             return Err(SavedError::Order);

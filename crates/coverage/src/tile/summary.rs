@@ -6,7 +6,6 @@ use super::ends::{Ends, compare_edges, compare_points};
 use super::fault::{Crossing, SeamFault, Uneven};
 use super::grid::{Grid, Tile};
 use super::region::{Claim, Region, Sliver, examined};
-use super::side::Side;
 use crate::{Defect, Limits};
 use core::cmp::Ordering;
 use petgraph::unionfind::UnionFind;
@@ -25,12 +24,12 @@ pub struct Summary {
     pub(super) limits: Limits,
     /// Sorted.
     pub(super) tiles: Vec<Tile>,
-    /// The corners of the box around the features that meet its tiles.
+    /// The corners of the box around the features of which its tiles are the first.
     pub(super) corners: Option<[Point; 2]>,
     pub(super) totals: Totals,
-    /// The sides towards tiles not yet merged, by tile and side.
+    /// The borders with tiles not yet merged, in order of both tiles.
     pub(super) borders: Vec<Border>,
-    /// The pieces of faces, the components and the cycles that some border cuts, numbered as the borders first name them.
+    /// The parts of faces, the components and the cycles that some border cuts, numbered as the borders first name them.
     pub(super) faces: Vec<Face>,
     pub(super) components: Vec<Component>,
     pub(super) cycles: Vec<u32>,
@@ -43,7 +42,7 @@ pub struct Summary {
     pub(super) lengths: Vec<f64>,
     pub(super) areas: Vec<f64>,
     pub(super) claimed: Vec<Claimed>,
-    /// The [`Outcome`](super::Outcome)'s extents, for the features that begin in its tiles.
+    /// The [`Outcome`](super::Outcome)'s extents, for the features of which its tiles are the first.
     pub(super) extents: Vec<(u16, u64)>,
     /// The features whose shapes are invalid by the rules of the OGC (C6).
     pub(super) defects: Vec<(u32, Vec<Defect>)>,
@@ -105,7 +104,8 @@ impl Totals {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Border {
     pub(super) tile: Tile,
-    pub(super) side: Side,
+    /// The tile beyond it: two tiles have at most one stretch of a side in common.
+    pub(super) beyond: Tile,
     /// From the bottom up, or from left to right; sorted by edge if faces are unknown.
     pub(super) contacts: Vec<Contact>,
     /// The faces before, between and after the contacts; empty if faces are unknown.
@@ -122,7 +122,7 @@ pub(super) struct Contact {
     pub(super) cycles: [u32; 2],
 }
 
-/// Pieces of one face.
+/// Parts of one face.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Face {
@@ -139,6 +139,13 @@ pub(super) struct Component {
     pub(super) edges: u64,
     pub(super) cycles: u64,
     pub(super) least: Option<Point>,
+}
+
+impl Face {
+    /// Returns true if two different features cover it.
+    pub(super) fn is_shared_by(&self, [one, other]: [u32; 2]) -> bool {
+        one != other && [one, other].iter().all(|feature| self.features.binary_search(feature).is_ok())
+    }
 }
 
 impl Component {
@@ -206,7 +213,7 @@ impl Numbers {
 
 impl Summary {
     /// Creates a summary of no tiles.
-    pub(super) const fn empty(grid: Grid, limits: Limits) -> Self {
+    pub(super) fn empty(grid: Grid, limits: Limits) -> Self {
         Self {
             grid,
             limits,
@@ -265,7 +272,7 @@ impl Summary {
             self.forget_faces();
             (joins.faces, joins.regions) = (UnionFind::new(0), UnionFind::new(0));
         }
-        self.borders.sort_by_key(|border| (border.tile, border.side));
+        self.borders.sort_by_key(|border| (border.tile, border.beyond));
         let mut faces = Numbers::new(self.faces.len());
         let mut components = Numbers::new(self.components.len());
         let mut cycles = Numbers::new(self.cycles.len());

@@ -1,184 +1,167 @@
-//! The summary of one tile, from the map of the features that meet it.
+//! The summary of one tile, from the pieces of features in it.
 
 use super::NIL;
+use super::bounds::{is_left_of, is_under};
 use super::claimed::{Claimed, compare};
-use super::clip::Bounds;
 use super::cuts::Cuts;
+use super::ends::around;
 use super::error::TileError;
-use super::extent::{around, corners, points, rings};
+use super::faces::Faces;
 use super::grid::{Grid, Tile};
 use super::large::areas;
-use super::local::Local;
-use super::pieces::Pieces;
-use super::region::{Claim, Edge, Region};
+use super::local::{Cycles, Local};
+use super::piece::Piece;
+use super::region::{Claim, Region};
 use super::side::Side;
 use super::summary::{Border, Component, Contact, Joins, Summary};
-use crate::mismatch::apart;
-use crate::{Limits, defects};
+use crate::Limits;
 use petgraph::unionfind::UnionFind;
-use twinedge::dcel::{HalfEdge, Vertex};
-use twinedge_map::{BuildError, Builder, Embedding as _, Feature, FeatureId, UnmatchedVertex};
+use twinedge_geometry::Point;
+use twinedge_map::{BuildError, Builder, Feature, FeatureId, Shape, UnmatchedVertex};
 
 impl Summary {
-    /// Creates the summary of a tile. `features` are all that meet it, with their numbers in the whole; others have no effect.
+    /// Creates the summary of a tile from its pieces of features, as [`Cuts::pieces`] returns them; pieces of other tiles have no effect.
     ///
-    /// O(n log n) for the features that meet the tile.
+    /// O(n log n) for the pieces.
     ///
     /// # Errors
     /// [`TileError`].
-    pub fn new<'f>(
+    pub fn new<'p>(
         grid: &Grid,
         tile: Tile,
-        features: impl IntoIterator<Item = (u32, &'f Feature)>,
+        pieces: impl IntoIterator<Item = &'p Piece>,
         limits: &Limits,
     ) -> Result<Self, TileError> {
-        let features = meeting(grid, tile, 0.0, features)?;
-        let (map, numbers) = (builder(&features)?.build()?, numbers(&features));
-        let local = Local::new(&map, &numbers, grid.bounds(tile));
-        let mut summary = Self::of_tile(*grid, tile, limits, &features);
-        summary.note_shapes(tile, &features);
-        summary.is_plane = map.is_plane();
+        let pieces = of_tile(grid, tile, pieces)?;
+        let local = Local::new(&pieces, grid.bounds(tile), None)?;
+        let mut summary = Self::of_pieces(grid, tile, limits, &pieces);
+        for piece in &pieces {
+            let Some(whole) = &piece.whole else { continue };
+            summary.corners = around(summary.corners.into_iter().flatten().chain(whole.corners));
+            if !whole.defects.is_empty() {
+                summary.defects.push((piece.feature, whole.defects.clone()));
+            }
+            for (exponent, edges) in &whole.extents {
+                summary.count_edges(*exponent, *edges);
+            }
+        }
         summary.crossings = local.crossings();
-        Ok(local.summarize(tile, summary))
+        let traced = local.trace();
+        let faces = local.is_plane.then(|| Faces::new(&local, &traced));
+        Ok(local.summarize(tile, summary, &traced, faces.as_ref()))
     }
 
-    /// Creates the summary of a tile whose edges are cut where they meet, by complete [`Cuts`]. `features` are all features that
-    /// [`Cuts::tiles_of`] assigns to the tile. The summary has no defects (C6), which belong to the input, but has the unmatched
-    /// vertices (C7). If a tile was left out of a round of cuts, edges still meet other than at vertices there.
+    /// Creates the summary of a tile whose edges are cut where they meet, by complete [`Cuts`]. The summary has no defects (C6), which
+    /// belong to the input, but has the unmatched vertices (C7). If a tile was left out of a round of cuts, edges still meet other than
+    /// at vertices there.
     ///
-    /// O(n log n) for the features that come near the tile.
+    /// O(n log n) for the pieces.
     ///
     /// # Errors
     /// [`TileError`]; with [`BuildError::OutOfReach`](twinedge_map::BuildError::OutOfReach) for larger coordinates.
-    pub fn cut<'f>(
+    pub fn cut<'p>(
         grid: &Grid,
         tile: Tile,
-        features: impl IntoIterator<Item = (u32, &'f Feature)>,
+        pieces: impl IntoIterator<Item = &'p Piece>,
         limits: &Limits,
         cuts: &Cuts,
     ) -> Result<Self, TileError> {
-        let features = meeting(grid, tile, cuts.margin(), features)?;
-        let cut = |(number, feature): &(u32, &Feature)| {
-            cuts.check(feature)?;
-            Ok((*number, cuts.cut(feature)))
-        };
-        let of_cut = features.iter().map(cut).collect::<Result<Vec<(u32, Feature)>, BuildError>>()?;
-        let of_cut: Vec<(u32, &Feature)> = of_cut.iter().map(|(number, feature)| (*number, feature)).collect();
-        let (map, numbers) = (builder(&of_cut)?.build()?, numbers(&features));
-        let local = Local::new(&map, &numbers, grid.bounds(tile));
-        let mut summary = Self::of_tile(*grid, tile, limits, &meeting(grid, tile, 0.0, of_cut)?);
-        summary.is_plane = map.is_plane();
-        if summary.is_plane {
-            let mut unmatched = builder(&features)?.unmatched();
-            unmatched.retain(|one| local.bounds.contains(one.at));
-            let in_whole = |mut one: UnmatchedVertex| {
-                for feature in [&mut one.of, &mut one.lacked_by] {
-                    *feature = FeatureId::new(numbers[feature.index()]);
-                }
-                one
-            };
-            summary.unmatched = apart(&map, &unmatched, |p| cuts.snapped(p)).map(in_whole).collect();
-        }
+        let pieces = of_tile(grid, tile, pieces)?;
+        cuts.check(pieces.iter().flat_map(|piece| piece.chains()).flatten().copied())?;
+        let local = Local::new(&pieces, grid.bounds(tile), Some(cuts))?;
+        let mut summary = Self::of_pieces(grid, tile, limits, &pieces);
         summary.crossings = local.crossings();
-        Ok(local.summarize(tile, summary))
+        let traced = local.trace();
+        let faces = local.is_plane.then(|| Faces::new(&local, &traced));
+        if let Some(faces) = &faces {
+            let overlap = |one: &UnmatchedVertex| {
+                let pair = [one.of, one.lacked_by].map(|feature| feature.index() as u32);
+                let point = local.number(cuts.snapped(one.at));
+                point.is_some_and(|point| faces.around(&local, point).any(|face| face.is_shared_by(pair)))
+            };
+            summary.unmatched = unmatched(&pieces)?;
+            // A vertex belongs to the tile in which it is once it was moved.
+            summary.unmatched.retain(|one| local.bounds.contains(cuts.snapped(one.at)) && !overlap(one));
+        }
+        Ok(local.summarize(tile, summary, &traced, faces.as_ref()))
     }
 }
 
-/// Returns the features within a distance of a tile, by their numbers.
-fn meeting<'f>(
+/// Returns the pieces of a tile, by their features.
+fn of_tile<'p>(
     grid: &Grid,
     tile: Tile,
-    distance: f64,
-    features: impl IntoIterator<Item = (u32, &'f Feature)>,
-) -> Result<Vec<(u32, &'f Feature)>, TileError> {
+    pieces: impl IntoIterator<Item = &'p Piece>,
+) -> Result<Vec<&'p Piece>, TileError> {
     if !grid.has(tile) {
         return Err(TileError::NoSuchTile(tile));
     }
-    let bounds = grid.bounds(tile).grown(distance);
-    let mut features: Vec<(u32, &Feature)> =
-        features.into_iter().filter(|(_, feature)| meets(&bounds, feature)).collect();
-    features.sort_by_key(|(number, _)| *number);
-    match features.windows(2).find(|pair| pair[0].0 == pair[1].0) {
-        Some(pair) => Err(TileError::SameNumber(pair[0].0)),
-        None => Ok(features),
+    let mut pieces: Vec<&Piece> = pieces.into_iter().filter(|piece| piece.tile == tile).collect();
+    pieces.sort_by_key(|piece| piece.feature);
+    match pieces.windows(2).find(|pair| pair[0].feature == pair[1].feature) {
+        Some(pair) => Err(TileError::SameNumber(pair[0].feature)),
+        None => Ok(pieces),
     }
 }
 
-fn builder(features: &[(u32, &Feature)]) -> Result<Builder, BuildError> {
+/// Returns the unmatched vertices of pieces that are not cut.
+fn unmatched(pieces: &[&Piece]) -> Result<Vec<UnmatchedVertex>, BuildError> {
     let mut builder = Builder::new();
-    for (_, feature) in features {
-        builder.feature(feature)?;
+    for piece in pieces {
+        // Only vertices and edges matter, so a chain there and back stands for its part of a ring.
+        let there_and_back = |chain: &Vec<Point>| chain.iter().chain(chain.iter().rev()).copied().collect();
+        let polygons = piece.parts.iter().filter(|part| part.is_polygon);
+        let shapes = polygons.map(|part| Shape::Polygon(part.chains.iter().map(there_and_back).collect())).collect();
+        builder.feature(&Feature { shapes, ..Feature::default() })?;
     }
-    Ok(builder)
-}
-
-fn numbers(features: &[(u32, &Feature)]) -> Vec<u32> {
-    features.iter().map(|(number, _)| *number).collect()
+    let in_whole = |mut one: UnmatchedVertex| {
+        for feature in [&mut one.of, &mut one.lacked_by] {
+            *feature = FeatureId::new(pieces[feature.index()].feature);
+        }
+        one
+    };
+    Ok(builder.unmatched().into_iter().map(in_whole).collect())
 }
 
 impl Summary {
-    /// Creates a summary of a tile that knows only its features.
-    fn of_tile(grid: Grid, tile: Tile, limits: &Limits, features: &[(u32, &Feature)]) -> Self {
-        let claimed = |(number, feature): &(u32, &Feature)| {
-            let (low, high) = corners(feature)?;
-            Some(Claimed { feature: *number, like: None, between: [low, high].map(|p| grid.tile_of(p)), seen: 1 })
+    /// Creates a summary of a tile that knows only which features it has pieces of.
+    fn of_pieces(grid: &Grid, tile: Tile, limits: &Limits, pieces: &[&Piece]) -> Self {
+        let claimed = |piece: &&Piece| {
+            let Piece { feature, first, of, .. } = **piece;
+            Claimed { feature, first, of, like: None, seen: 1 }
         };
-        let claimed = features.iter().filter_map(claimed).collect();
-        let corners = around(features.iter().flat_map(|(_, feature)| &feature.shapes).flat_map(points));
-        Self { tiles: vec![tile], corners, claimed, ..Self::empty(grid, limits.clone()) }
-    }
-
-    /// Records the defects of features that begin in the tile, and the extents of their edges.
-    fn note_shapes(&mut self, tile: Tile, features: &[(u32, &Feature)]) {
-        for (number, feature) in features {
-            let first = feature.shapes.iter().flat_map(points).next();
-            if first.is_some_and(|p| self.grid.tile_of(p) == tile) {
-                let found = defects(&feature.shapes);
-                self.defects.extend((!found.is_empty()).then_some((*number, found)));
-                for pair in feature.shapes.iter().flat_map(rings).flat_map(|ring| ring.windows(2)) {
-                    let extent = (pair[0].x - pair[1].x).abs().max((pair[0].y - pair[1].y).abs());
-                    self.count_edges((extent.to_bits() >> (f64::MANTISSA_DIGITS - 1)) as u16, 1);
-                }
-            }
-        }
+        let claimed = pieces.iter().map(claimed).collect();
+        Self { tiles: vec![tile], claimed, ..Self::empty(grid.clone(), limits.clone()) }
     }
 }
 
-fn meets(bounds: &Bounds, feature: &Feature) -> bool {
-    corners(feature).is_some_and(|(low, high)| bounds.meets(low, high))
-}
-
-impl Local<'_> {
+impl Local {
     /// Counts records inside the tile, and lists records cut by the border.
-    fn summarize(&self, tile: Tile, mut summary: Summary) -> Summary {
-        let (leaves, closed) = self.trace();
-        // Parts of edges first, then vertices.
-        let dcel = self.map.dcel();
-        let of_vertex = |v: Vertex<'_>| (self.parts.len() + v.index()) as u32;
-        let most = dcel.vertices().last().map_or(0, |v| v.index() + 1);
-        let mut sets = UnionFind::new(self.parts.len() + most);
-        let mut components = vec![Component::default(); self.parts.len() + most];
-        let inside = |h: usize| self.half_edge(h).map(HalfEdge::origin).filter(|origin| self.vertex_is_inside(*origin));
-        for (number, part) in (0..).zip(&self.parts) {
-            for vertex in part.half_edges.into_iter().filter_map(inside) {
-                sets.union(number, of_vertex(vertex));
+    fn summarize(&self, tile: Tile, mut summary: Summary, traced: &Cycles, faces: Option<&Faces>) -> Summary {
+        let Cycles { leaves, closed } = traced;
+        // Edges first, then points.
+        let edges = self.segments.len();
+        let mut sets = UnionFind::new(edges + self.points.len());
+        let mut components = vec![Component::default(); edges + self.points.len()];
+        for (point, _) in self.inside() {
+            for h in self.leaving(point) {
+                sets.union(h >> 1, edges as u32 + point);
             }
         }
-        for vertex in dcel.vertices().filter(|v| self.vertex_is_inside(*v)) {
-            let least = Some(self.map.point(vertex.index()));
-            let root = sets.find_mut(of_vertex(vertex)) as usize;
-            components[root].add(&Component { vertices: 1, least, ..Component::default() });
+        for (point, at) in self.inside() {
+            let root = sets.find_mut(edges as u32 + point) as usize;
+            components[root].add(&Component { vertices: 1, least: Some(at), ..Component::default() });
         }
-        for (number, part) in (0..).zip(&self.parts) {
+        for (number, segment) in (0..).zip(&self.segments) {
             let root = sets.find_mut(number) as usize;
-            components[root].edges += u64::from(self.bounds.contains(part.ends[0]));
+            components[root].edges += u64::from(self.bounds.contains(segment.ends[0]));
         }
-        for start in &closed {
-            components[sets.find_mut(self.part_of[*start]) as usize].cycles += 1;
+        for start in closed {
+            components[sets.find_mut(start >> 1) as usize].cycles += 1;
         }
         let mut number_of = vec![NIL; components.len()];
-        for (_, part, _) in &self.contacts {
-            let root = sets.find_mut(*part) as usize;
+        for (_, segment, _) in &self.contacts {
+            let root = sets.find_mut(*segment) as usize;
             if number_of[root] == NIL {
                 number_of[root] = summary.components.len() as u32;
                 summary.components.push(components[root]);
@@ -192,56 +175,91 @@ impl Local<'_> {
         }
         // A cycle has the number of the contact where it enters.
         let mut enters = vec![0; leaves.len()];
-        for (enter, leave) in (0..).zip(&leaves) {
+        for (enter, leave) in (0..).zip(leaves) {
             enters[*leave as usize] = enter;
         }
-        let mut component_of = |part: u32| number_of[sets.find_mut(part) as usize];
-        summary.cycles = self.contacts.iter().map(|(_, part, _)| component_of(*part)).collect();
-        let pieces = self.map.is_plane().then(|| Pieces::new(self, &leaves, &closed));
-        let mut first = 0;
-        for side in Side::ALL {
-            let count = self.contacts[first..].iter().take_while(|contact| contact.0 == side).count();
-            let along = first..first + count;
-            first += count;
-            if summary.grid.neighbour(tile, side).is_none() {
-                continue;
+        let mut component_of = |segment: u32| number_of[sets.find_mut(segment) as usize];
+        summary.cycles = self.contacts.iter().map(|(_, segment, _)| component_of(*segment)).collect();
+        let contact = |number: usize| {
+            let (_, segment, is_entry) = self.contacts[number];
+            let cycles = [number as u32, enters[number]];
+            Contact {
+                edge: self.segments[segment as usize].ends,
+                features: self.features_along(segment),
+                component: component_of(segment),
+                cycles: if is_entry { cycles } else { [cycles[1], cycles[0]] },
             }
-            let contact = |contact: usize| {
-                let (_, part, is_entry) = self.contacts[contact];
-                let features = self.features_along(self.parts[part as usize].half_edges[0]);
-                let cycles = [contact as u32, enters[contact]];
-                Contact {
-                    edge: self.parts[part as usize].ends,
-                    features,
-                    component: component_of(part),
-                    cycles: if is_entry { cycles } else { [cycles[1], cycles[0]] },
-                }
-            };
-            let mut border = Border {
-                tile,
-                side,
-                contacts: along.clone().map(contact).collect(),
-                faces: pieces.as_ref().map(|pieces| pieces.along(along)).unwrap_or_default(),
-            };
-            if matches!(side, Side::Top | Side::Left) {
-                border.contacts.reverse();
-                border.faces.reverse();
-            }
-            summary.borders.push(border);
-        }
-        let mut joins = match pieces {
-            Some(pieces) => self.claim(&pieces, &mut summary),
+        };
+        summary.borders = self.borders(&summary.grid, tile, faces, contact);
+        summary.is_plane = faces.is_some();
+        let mut joins = match faces {
+            Some(faces) => self.claim(faces, &mut summary),
             None => Joins::new(&summary),
         };
         summary.settled(&mut joins)
     }
 
-    /// Finds the regions of the pieces, and joins equal ones.
-    fn claim(&self, pieces: &Pieces, summary: &mut Summary) -> Joins {
+    /// Returns the borders with the tiles around, each a stretch of a side.
+    fn borders(
+        &self,
+        grid: &Grid,
+        tile: Tile,
+        faces: Option<&Faces>,
+        mut contact: impl FnMut(usize) -> Contact,
+    ) -> Vec<Border> {
+        let mut borders = Vec::new();
+        let mut first = 0;
+        for side in Side::ALL {
+            let count = self.contacts[first..].iter().take_while(|contact| contact.0 == side).count();
+            let of_side = first..first + count;
+            first += count;
+            let beyond = grid.beyond(tile, side);
+            // The corners between the tiles beyond, and the number of them before each contact.
+            let corners: Vec<Point> = beyond.iter().skip(1).map(|tile| grid.bounds(*tile).low).collect();
+            let passed = |number: usize| {
+                let ends = self.segments[self.contacts[number].1 as usize].ends;
+                let line = match side {
+                    Side::Left => self.bounds.low.x,
+                    Side::Right => self.bounds.high.x,
+                    Side::Bottom => self.bounds.low.y,
+                    Side::Top => self.bounds.high.y,
+                };
+                let is_passed = |corner: &Point| {
+                    if side.is_upright() { !is_under(ends, line, corner.y) } else { !is_left_of(ends, corner.x, line) }
+                };
+                corners.iter().take_while(|corner| is_passed(corner)).count()
+            };
+            let is_reversed = matches!(side, Side::Top | Side::Left);
+            for (place, other) in beyond.into_iter().enumerate() {
+                let of_other: Vec<usize> = of_side.clone().filter(|number| passed(*number) == place).collect();
+                let from = of_other.first().copied().unwrap_or_else(|| {
+                    // No contact lies on this stretch, so one part of a face does.
+                    let is_before = |number: &usize| (passed(*number) < place) != is_reversed;
+                    of_side.start + of_side.clone().filter(is_before).count()
+                });
+                let along = from..from + of_other.len();
+                let mut border = Border {
+                    tile,
+                    beyond: other,
+                    contacts: of_other.into_iter().map(&mut contact).collect(),
+                    faces: faces.map(|faces| faces.along(along)).unwrap_or_default(),
+                };
+                if is_reversed {
+                    border.contacts.reverse();
+                    border.faces.reverse();
+                }
+                borders.push(border);
+            }
+        }
+        borders
+    }
+
+    /// Finds the regions of the faces, and joins equal ones.
+    fn claim(&self, faces: &Faces, summary: &mut Summary) -> Joins {
         let mut regions = Vec::new();
-        let mut faces = pieces.faces.clone();
+        let mut all = faces.all.clone();
         let mut covered = vec![Vec::new(); summary.claimed.len()];
-        for (number, face) in (0..).zip(&mut faces) {
+        for (number, face) in (0..).zip(&mut all) {
             for claim in Claim::all(&face.features) {
                 face.regions.push(regions.len() as u32);
                 regions.push(Region { is_unbounded: face.is_unbounded, ..Region::new(claim) });
@@ -253,35 +271,33 @@ impl Local<'_> {
             }
         }
         compare(&mut summary.claimed, covered);
-        for part in &self.parts {
-            if !self.bounds.contains(part.ends[0]) {
+        for (number, segment) in (0..).zip(&self.segments) {
+            if !self.bounds.contains(segment.ends[0]) {
                 continue;
             }
-            let [left, right] = pieces.beside(part).map(|piece| &faces[piece as usize]);
+            let [left, right] = faces.beside(number).map(|part| &all[part as usize]);
             for region in left.regions.iter().chain(&right.regions) {
-                let region = &mut regions[*region as usize];
-                let sides = [left, right].map(|face| region.claim.kept_of(&face.features));
-                region.edges.push(Edge { ends: part.ends, sides });
+                regions[*region as usize].put(segment.ends, [&left.features, &right.features]);
             }
             if summary.limits.gap_width.is_none() {
-                let [a, b] = part.ends;
+                let [a, b] = segment.ends;
                 summary.lengths.push((b.x - a.x).hypot(b.y - a.y));
             }
         }
         if let Some(limit) = summary.limits.sliver_area {
-            let areas = areas(self, pieces);
+            let areas = areas(self, faces);
             // Twice as large, since these areas are rounded.
-            for (face, _) in faces.iter().zip(areas).filter(|(_, area)| *area > 2.0 * limit) {
+            for (face, _) in all.iter().zip(areas).filter(|(_, area)| *area > 2.0 * limit) {
                 for region in &face.regions {
                     let region = &mut regions[*region as usize];
                     region.is_large = matches!(region.claim, Claim::Part(_));
                 }
             }
         }
-        (summary.faces, summary.regions) = (faces, regions);
+        (summary.faces, summary.regions) = (all, regions);
         let mut joins = Joins::new(summary);
-        for part in &self.parts {
-            let [left, right] = pieces.beside(part).map(|piece| &summary.faces[piece as usize]);
+        for segment in 0..self.segments.len() as u32 {
+            let [left, right] = faces.beside(segment).map(|part| &summary.faces[part as usize]);
             let claim = |region: u32| &summary.regions[region as usize].claim;
             let (mut left, mut right) = (&left.regions[..], &right.regions[..]);
             // Both are in order of their claims.

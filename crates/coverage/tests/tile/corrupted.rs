@@ -1,12 +1,12 @@
 //! Summaries corrupted after they were made, and the order of merging.
 
 use crate::maps::{Random, area, feature, line, nested, point};
-use crate::whole::{grid, merged, summaries};
+use crate::whole::{all_pieces, grid, merged, pieces, summaries};
 use serde_json::{Value, json, to_value};
 use twinedge::validate::Rule;
 use twinedge_coverage::Limits;
-use twinedge_coverage::tile::{FinishError, Grid, GridError, MergeError, Outcome, SeamRule, Summary, Tile, TileError};
-use twinedge_map::{Feature, Shape};
+use twinedge_coverage::tile::{Cuts, FinishError, Grid, GridError, MergeError, Outcome, SeamRule, Summary, Tile, TileError};
+use twinedge_map::{BuildError, Feature, Shape};
 
 /// A cross of four parcels with an enclave, an island and a path, cut by both lines of the grid.
 fn parcels() -> Vec<Feature> {
@@ -145,8 +145,9 @@ fn a_feature_that_a_tile_was_not_given_is_found() {
     for missing in 0..features.len() as u32 {
         for (place, tile) in grid.tiles().enumerate() {
             let mut all = summaries(&features, &grid, &Limits::default());
-            let given = (0..).zip(&features).filter(|(number, _)| *number != missing);
-            let without = Summary::new(&grid, tile, given, &Limits::default()).expect("in range");
+            let mut given = all_pieces(&grid, &features);
+            given.retain(|piece| piece.feature() != missing);
+            let without = Summary::new(&grid, tile, &given, &Limits::default()).expect("in range");
             if without != all[place] {
                 all[place] = without;
                 let outcome = finished(all);
@@ -158,20 +159,21 @@ fn a_feature_that_a_tile_was_not_given_is_found() {
 
 /// The parts of one feature on a row of three tiles, given by their starts, each 3 long, as each tile receives them.
 #[test]
-fn a_feature_whose_box_differs_between_tiles_is_found_in_any_order_of_merging() {
+fn a_feature_that_differs_between_tiles_is_found_in_any_order_of_merging() {
     let grid = grid(&[4.0, 8.0], &[]);
     let given: [[&[f64]; 3]; 4] = [
         // Two tiles agree on less than the first one received.
         [&[0.5, 4.5, 8.5], &[0.5, 4.5], &[0.5, 4.5]],
         [&[0.5], &[0.5, 4.5], &[]],
-        // The correct number of tiles for each box, but not the tiles of one box.
+        // The correct number of tiles for each, but not the tiles of one.
         [&[0.5, 4.5], &[], &[4.5, 8.5]],
         [&[0.5, 4.5], &[0.5, 4.5], &[4.5, 8.5]],
     ];
     for given in given {
         let summary = |(tile, parts): (Tile, &[f64])| {
             let parts: Vec<Shape> = parts.iter().map(|x| area([*x, 0.0], [x + 3.0, 1.0])).collect();
-            Summary::new(&grid, tile, [(7, &feature(parts))], &Limits::default()).expect("in range")
+            let pieces = pieces(&grid, [(7, &feature(parts))], 12.0);
+            Summary::new(&grid, tile, &pieces, &Limits::default()).expect("in range")
         };
         let all: Vec<Summary> = grid.tiles().zip(given).map(summary).collect();
         let mut outcomes = Vec::new();
@@ -208,9 +210,8 @@ fn numbers_that_no_map_has_are_refused_or_stay_where_they_are() {
     refused("/extents", json!([[2048, 1]]), "larger than any map has");
     refused("/extents", json!([[1023, MOST + 1]]), "larger than any map has");
     refused("/extents", json!([[7, 1], [7, 1]]), "out of order");
-    refused("/claimed/0/seen", json!(99), "out of range");
-    refused("/claimed/0/between/1/column", json!(3), "out of range");
-    refused("/claimed/0/between/0/row", json!(2), "out of range");
+    refused("/claimed/0/of", json!(0), "out of range");
+    refused("/claimed/0/first", json!(9), "out of range");
     // The remaining sums do not overflow.
     let mut most = all.iter().map(|one| to_value(one).expect("it can be saved")).collect::<Vec<_>>();
     for one in &mut most {
@@ -282,23 +283,23 @@ fn what_cannot_be_merged_is_refused() {
     let (features, grid) = (parcels(), lines());
     let limits = Limits::default();
     let all = summaries(&features, &grid, &limits);
-    let numbered = || (0..).zip(&features);
-    let tile = Tile { column: 0, row: 0 };
+    let (tile, of_grid) = (Tile(0), all_pieces(&grid, &features));
     assert_eq!(all[0].clone().merge(all[0].clone()), Err(MergeError::Twice(tile)));
     let other = Grid::new([0.0, 0.0], [1.0, 1.0], 3, 3).expect("a grid");
-    let of_other = Summary::new(&other, Tile { column: 1, row: 0 }, numbered(), &limits).expect("in range");
-    assert!(matches!(all[0].clone().merge(of_other), Err(MergeError::Different { what, .. }) if what == "the box"));
+    let of_other = Summary::new(&other, Tile(1), &of_grid, &limits).expect("in range");
+    assert!(matches!(all[0].clone().merge(of_other), Err(MergeError::Different { what, .. }) if what == "the grid"));
     let by_width = Limits { gap_width: Some(1.0), ..Limits::default() };
-    let of_width = Summary::new(&grid, Tile { column: 1, row: 0 }, numbered(), &by_width).expect("in range");
+    let of_width = Summary::new(&grid, Tile(1), &of_grid, &by_width).expect("in range");
     let (what, one, other) = ("gap_width".to_owned(), "none".to_owned(), "1".to_owned());
     assert_eq!(all[0].clone().merge(of_width), Err(MergeError::Different { what, one, other }));
     assert_eq!(all[1].clone().finish().unwrap_err(), FinishError::Missing { first: tile, count: 8 });
-    let outside = Tile { column: 3, row: 0 };
-    assert_eq!(Summary::new(&grid, outside, numbered(), &limits).unwrap_err(), TileError::NoSuchTile(outside));
-    let twice = [(5, &features[0]), (5, &features[1])];
-    assert_eq!(Summary::new(&grid, Tile { column: 1, row: 1 }, twice, &limits).unwrap_err(), TileError::SameNumber(5));
+    let outside = Tile(9);
+    assert_eq!(Summary::new(&grid, outside, &of_grid, &limits).unwrap_err(), TileError::NoSuchTile(outside));
+    let twice = pieces(&grid, [(5, &features[0]), (5, &features[1])], 8.0);
+    assert_eq!(Summary::new(&grid, Tile(4), &twice, &limits).unwrap_err(), TileError::SameNumber(5));
     let far = feature([line(&[[0.0, 0.0], [1e200, 0.0]])]);
-    assert!(matches!(Summary::new(&grid, tile, [(0, &far)], &limits), Err(TileError::Build(_))));
+    let divided = Cuts::new(1e300).expect("finite").pieces(&grid, 0, &far);
+    assert!(matches!(divided, Err(BuildError::OutOfRange { .. })), "{divided:?}");
     assert_eq!(Grid::new([0.0, 0.0], [1.0, 1.0], 0, 3), Err(GridError::Size));
     assert_eq!(Grid::new([0.0, 0.0], [0.0, 1.0], 3, 3), Err(GridError::Lines));
 }

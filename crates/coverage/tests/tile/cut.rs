@@ -1,10 +1,10 @@
 //! Maps whose edges meet other than at vertices, cut tile by tile.
 
 use crate::maps::{Random, area, feature, line, point, sets};
-use crate::whole::{compare, grid, merged, whole, whole_cut};
+use crate::whole::{all_pieces, compare, grid, merged, whole, whole_cut};
 use std::collections::BTreeSet;
 use std::convert::Infallible;
-use twinedge_coverage::tile::{AuditError, CrossingKind, Cuts, Grid, Summary, Tile, TileError, audit};
+use twinedge_coverage::tile::{AuditError, CrossingKind, Cuts, Grid, Piece, Summary, Tile, TileError, audit};
 use twinedge_coverage::{CoverageRule, Limits};
 use twinedge_map::{BuildError, Feature, Shape};
 
@@ -135,7 +135,8 @@ fn the_driver_says_what_rules_and_cut_tiles_say() {
     let mut random = Random::new(56);
     let features = parcels(&mut random);
     let grid = grid(&[1.0, 2.1], &[0.7]);
-    let of_tile = |_| Ok::<_, Infallible>((0..).zip(&features).collect());
+    let pieces = all_pieces(&grid, &features);
+    let of_tile = |_| Ok::<_, Infallible>(pieces.iter().collect());
     let outcome = audit(&grid, &Limits::default(), Cuts::new(4.0).expect("finite"), of_tile).expect("in range");
     assert!(!outcome.crossings.is_empty() && !outcome.is_valid() && !whole(&features).is_plane());
     let found = outcome.coverage.expect("it was cut").findings;
@@ -146,14 +147,13 @@ fn the_driver_says_what_rules_and_cut_tiles_say() {
 fn a_tile_that_is_left_out_of_all_rounds_shows_what_is_not_cut() {
     let features = [feature([area([0.0, 0.0], [2.5, 2.5])]), feature([area([1.5, 1.5], [4.0, 4.0])])];
     let (grid, mut cuts) = (grid(&[2.0], &[2.0]), Cuts::new(4.0).expect("finite"));
-    let left_out = Tile { column: 0, row: 1 };
-    let numbered = || (0..).zip(&features);
+    let (left_out, pieces) = (Tile(2), all_pieces(&grid, &features));
     while !cuts.is_complete() {
         let others = grid.tiles().filter(|tile| *tile != left_out);
-        let found: Vec<_> = others.map(|tile| cuts.search(&grid, tile, numbered()).expect("in range")).collect();
+        let found: Vec<_> = others.map(|tile| cuts.search(&grid, tile, &pieces).expect("in range")).collect();
         cuts.take(found).expect("few rounds");
     }
-    let summary = |tile| Summary::cut(&grid, tile, numbered(), &Limits::default(), &cuts).expect("in range");
+    let summary = |tile| Summary::cut(&grid, tile, &pieces, &Limits::default(), &cuts).expect("in range");
     let summaries = grid.tiles().map(summary).collect();
     let outcome = merged(summaries, &mut Random::new(57)).finish().expect("no tile is missing");
     assert_eq!(outcome.coverage, None);
@@ -169,14 +169,20 @@ fn what_cannot_be_cut_is_refused() {
         assert!(matches!(Cuts::new(largest), Err(BuildError::OutOfReach { .. })));
     }
     let (cuts, grid) = (Cuts::new(3.0).expect("finite"), grid(&[1.0], &[]));
-    let outside = Tile { column: 2, row: 0 };
+    let outside = Tile(2);
     assert_eq!(cuts.search(&grid, outside, []).unwrap_err(), TileError::NoSuchTile(outside));
-    let first = Tile { column: 0, row: 0 };
     for far in [4.0, f64::NAN, f64::NEG_INFINITY] {
+        let far_is_finite = far.is_finite();
         let far = feature([line(&[[0.0, 0.0], [far, 1.0]])]);
-        let is_refused = |error: &TileError| matches!(error, TileError::Build(BuildError::OutOfReach { y: 1.0, .. }));
-        assert!(is_refused(&cuts.search(&grid, first, [(0, &far)]).unwrap_err()));
+        let refused = cuts.pieces(&grid, 0, &far).unwrap_err();
+        let is_refused = if far_is_finite { matches!(refused, BuildError::OutOfReach { y: 1.0, .. }) } else { matches!(refused, BuildError::NotFinite { y: 1.0, .. }) };
+        assert!(is_refused, "{refused:?}");
     }
-    let failed = audit::<Feature, _>(&grid, &Limits::default(), cuts, |_| Err("no file"));
-    assert_eq!(failed, Err(AuditError::Features("no file")));
+    // Pieces of a map that reaches farther than the cuts.
+    let far = feature([line(&[[0.0, 0.0], [4.0, 1.0]])]);
+    let pieces = all_pieces(&grid, &[far]);
+    let is_refused = |error: &TileError| matches!(error, TileError::Build(BuildError::OutOfReach { y: 1.0, .. }));
+    assert!(is_refused(&cuts.search(&grid, Tile(0), &pieces).unwrap_err()));
+    let failed = audit::<Piece, _>(&grid, &Limits::default(), cuts, |_| Err("no file"));
+    assert_eq!(failed, Err(AuditError::Pieces("no file")));
 }

@@ -1,7 +1,7 @@
 //! Portions of maps: merged in any order, saved as bytes, and refused if they belong to other maps.
 
 use crate::maps::{Random, area, feature};
-use crate::whole::{grid, largest};
+use crate::whole::{all_pieces, grid, largest};
 use serde_json::{from_value, to_value};
 use twinedge_coverage::tile::{BytesError, Cuts, Found, Grid, MergeError, Portion, Source, Tile, TileError};
 use twinedge_coverage::{CoverageRule, Limits};
@@ -11,12 +11,9 @@ fn source(snapshot: u32) -> Source {
     Source::from([("snapshot".to_owned(), snapshot.to_string())])
 }
 
-fn numbered(features: &[Feature]) -> impl Iterator<Item = (u32, &Feature)> + Clone {
-    (0..).zip(features)
-}
-
 fn found(cuts: &Cuts, grid: &Grid, features: &[Feature]) -> Vec<Found> {
-    grid.tiles().map(|tile| cuts.search(grid, tile, numbered(features)).expect("in range")).collect()
+    let pieces = all_pieces(grid, features);
+    grid.tiles().map(|tile| cuts.search(grid, tile, &pieces).expect("in range")).collect()
 }
 
 /// All cuts of a map of this snapshot.
@@ -31,7 +28,8 @@ fn cuts(grid: &Grid, features: &[Feature], snapshot: u32) -> Cuts {
 
 fn portions(grid: &Grid, features: &[Feature], snapshot: u32) -> Vec<Portion> {
     let (cuts, limits) = (cuts(grid, features, snapshot), Limits::default());
-    let portion = |tile| Portion::new(grid, tile, numbered(features), &limits, Some(&cuts)).expect("in range");
+    let pieces = all_pieces(grid, features);
+    let portion = |tile| Portion::new(grid, tile, &pieces, &limits, Some(&cuts)).expect("in range");
     grid.tiles().map(portion).collect()
 }
 
@@ -82,8 +80,7 @@ fn tiles_and_cuts_of_two_snapshots_are_not_put_together() {
     let of_eight = found(&empty(8), &grid, &features);
     assert_eq!(empty(7).take(of_eight.clone()), Err(TileError::OtherCuts));
     assert_eq!(empty(8).take(of_eight), Ok(()));
-    let tile = Tile { column: 0, row: 0 };
-    let early = Portion::new(&grid, tile, numbered(&features), &Limits::default(), Some(&empty(7)));
+    let early = Portion::new(&grid, Tile(0), &all_pieces(&grid, &features), &Limits::default(), Some(&empty(7)));
     assert_eq!(early.unwrap_err(), TileError::OtherCuts);
 }
 
@@ -111,8 +108,8 @@ fn bytes_that_were_changed_are_refused() {
         let mut changed = bytes.clone();
         changed[place] ^= 1 << (place % 8);
         let expected = match place {
-            0..15 => BytesError::Foreign,
-            15..17 => BytesError::Version,
+            0..27 => BytesError::Foreign { expected: "a summary of tiles" },
+            27..30 => BytesError::Version,
             _ => BytesError::Damaged,
         };
         assert_eq!(Portion::from_bytes(&changed), Err(expected), "byte {place}");

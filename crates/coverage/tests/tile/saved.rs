@@ -1,11 +1,11 @@
 //! Cuts saved and loaded between rounds, and forged files of cuts.
 
 use crate::maps::{Random, area, feature, line};
-use crate::whole::{grid, largest};
+use crate::whole::{all_pieces, grid, largest};
 use serde_json::{Value, json, to_value};
 use std::collections::BTreeMap;
 use twinedge_coverage::Limits;
-use twinedge_coverage::tile::{Cuts, Found, Grid, Summary, TileError};
+use twinedge_coverage::tile::{Cuts, Found, Grid, Piece, Summary, TileError};
 use twinedge_map::{Feature, Shape};
 
 /// Triangles so far from the origin that pieces are bent again, and a grid through the middle of them.
@@ -16,13 +16,9 @@ fn far(random: &mut Random, count: usize) -> (Vec<Feature>, Grid) {
     (triangles, grid(&[far + 16.0], &[far + 20.0]))
 }
 
-fn numbered(features: &[Feature]) -> Vec<(u32, &Feature)> {
-    (0..).zip(features).collect()
-}
-
-fn found(cuts: &Cuts, grid: &Grid, features: &[(u32, &Feature)]) -> Vec<Found> {
+fn found(cuts: &Cuts, grid: &Grid, pieces: &[Piece]) -> Vec<Found> {
     let concerned = grid.tiles().filter(|tile| cuts.concern(grid, *tile));
-    concerned.map(|tile| cuts.search(grid, tile, features.iter().copied()).expect("in range")).collect()
+    concerned.map(|tile| cuts.search(grid, tile, pieces).expect("in range")).collect()
 }
 
 fn text(of: &impl serde::Serialize) -> String {
@@ -34,8 +30,8 @@ fn cuts_that_are_saved_between_rounds_are_those_that_are_not() {
     let (mut random, mut most) = (Random::new(61), 0);
     for _ in 0..40 {
         let (features, grid) = far(&mut random, 12);
-        let given = numbered(&features);
-        let shuffled: Vec<_> = given.iter().rev().chain(&given[..2]).copied().collect();
+        let given = all_pieces(&grid, &features);
+        let shuffled: Vec<_> = given.iter().rev().chain(&given[..2]).cloned().collect();
         let mut whole = Cuts::new(largest(&features)).expect("finite");
         let (mut saved, mut rounds) = (text(&whole), 0);
         while !whole.is_complete() {
@@ -55,7 +51,7 @@ fn cuts_that_are_saved_between_rounds_are_those_that_are_not() {
         let read: Cuts = serde_json::from_str(&saved).expect("it was saved");
         assert!(read.is_complete() && !read.is_empty());
         for tile in grid.tiles() {
-            let cut = |cuts| Summary::cut(&grid, tile, given.clone(), &Limits::default(), cuts).expect("in range");
+            let cut = |cuts| Summary::cut(&grid, tile, &given, &Limits::default(), cuts).expect("in range");
             assert_eq!(cut(&read), cut(&whole));
         }
         most = most.max(rounds);
@@ -67,7 +63,8 @@ fn cuts_that_are_saved_between_rounds_are_those_that_are_not() {
 fn what_another_round_or_map_found_is_not_taken() {
     let square = |x: f64| feature([area([x, x], [x + 2.0, x + 2.0])]);
     let features = [square(0.0), square(1.0)];
-    let (given, grid) = (numbered(&features), grid(&[1.5], &[1.5]));
+    let grid = grid(&[1.5], &[1.5]);
+    let given = all_pieces(&grid, &features);
     let mut cuts = Cuts::new(3.0).expect("finite");
     let first = found(&cuts, &grid, &given);
     let before = text(&cuts);
@@ -79,7 +76,7 @@ fn what_another_round_or_map_found_is_not_taken() {
     while !cuts.is_complete() {
         cuts.take(found(&cuts, &grid, &given)).expect("in order");
     }
-    let last = found(&cuts, &Grid::EVERYTHING, &given);
+    let last = found(&cuts, &Grid::everything(), &given);
     assert!(last.is_empty(), "nothing is left");
 }
 
@@ -87,7 +84,8 @@ fn what_another_round_or_map_found_is_not_taken() {
 fn crossing() -> (Value, Value) {
     let features = [feature([line(&[[0.0, 0.0], [4.0, 4.0]])]), feature([line(&[[0.0, 3.0], [4.0, 1.0]])])];
     let mut cuts = Cuts::new(4.0).expect("finite");
-    let found = found(&cuts, &Grid::EVERYTHING, &numbered(&features));
+    let everything = Grid::everything();
+    let found = found(&cuts, &everything, &all_pieces(&everything, &features));
     let saved = to_value(&found[0]).expect("it can be saved");
     cuts.take(found).expect("in order");
     (to_value(&cuts).expect("it can be saved"), saved)
@@ -158,7 +156,7 @@ fn rounds_with_changed_cuts_end() {
     let (mut refused, mut ended) = (0, 0);
     for _ in 0..3 {
         let (features, grid) = far(&mut random, 6);
-        let given = numbered(&features);
+        let given = all_pieces(&grid, &features);
         let mut cuts = Cuts::new(largest(&features)).expect("finite");
         cuts.take(found(&cuts, &grid, &given)).expect("in order");
         let saved = to_value(&cuts).expect("it can be saved");
@@ -174,7 +172,7 @@ fn rounds_with_changed_cuts_end() {
             };
             while !cuts.is_complete() && cuts.take(found(&cuts, &grid, &given)).is_ok() {}
             for tile in grid.tiles().filter(|_| cuts.is_complete()) {
-                Summary::cut(&grid, tile, given.clone(), &Limits::default(), &cuts).expect("in range");
+                Summary::cut(&grid, tile, &given, &Limits::default(), &cuts).expect("in range");
             }
             ended += 1;
         }

@@ -3,7 +3,7 @@
 use crate::maps::Random;
 use std::collections::BTreeMap;
 use twinedge::validate::{Report, Rule, Violation};
-use twinedge_coverage::tile::{Crossing, CrossingKind, Cuts, Grid, Outcome, Summary, Uneven};
+use twinedge_coverage::tile::{Crossing, CrossingKind, Cuts, Grid, Outcome, Piece, Summary, Uneven};
 use twinedge_coverage::{Coverage, Finding, Limits, check, defects, mismatches};
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::Snap;
@@ -59,21 +59,28 @@ fn corners(features: &[Feature]) -> Option<[Point; 2]> {
     Some([corner(f64::min, f64::INFINITY), corner(f64::max, f64::NEG_INFINITY)])
 }
 
-/// The findings by tiles that cut edges. Each tile gets only its assigned features.
+/// The pieces of all features, with their numbers.
+pub(crate) fn pieces<'f>(grid: &Grid, features: impl IntoIterator<Item = (u32, &'f Feature)>, largest: f64) -> Vec<Piece> {
+    let cuts = Cuts::new(largest).expect("finite");
+    let of = |(number, feature)| cuts.pieces(grid, number, feature).expect("in range");
+    features.into_iter().flat_map(of).collect()
+}
+
+pub(crate) fn all_pieces(grid: &Grid, features: &[Feature]) -> Vec<Piece> {
+    pieces(grid, (0..).zip(features), largest(features))
+}
+
+/// The findings by tiles that cut edges.
 pub(crate) fn by_tiles_cut(features: &[Feature], grid: &Grid, limits: &Limits, random: &mut Random) -> Coverage {
     let mut cuts = Cuts::new(largest(features)).expect("finite");
-    let given = |cuts: &Cuts, tile| {
-        let numbered = (0..).zip(features);
-        let is_given = |(_, feature): &(u32, &Feature)| cuts.tiles_of(grid, feature).any(|other| other == tile);
-        numbered.filter(is_given).collect::<Vec<_>>()
-    };
+    let pieces = all_pieces(grid, features);
     while !cuts.is_complete() {
         let concerned = grid.tiles().filter(|tile| cuts.concern(grid, *tile));
-        let found = concerned.map(|tile| cuts.search(grid, tile, given(&cuts, tile)).expect("in range"));
+        let found = concerned.map(|tile| cuts.search(grid, tile, &pieces).expect("in range"));
         let found: Vec<_> = found.collect();
         cuts.take(found).expect("few rounds");
     }
-    let summary = |tile| Summary::cut(grid, tile, given(&cuts, tile), limits, &cuts).expect("in range");
+    let summary = |tile| Summary::cut(grid, tile, &pieces, limits, &cuts).expect("in range");
     let outcome = merged(grid.tiles().map(summary).collect(), random).finish().expect("no tile is missing");
     assert!(outcome.is_valid(), "{outcome:?}");
     outcome.coverage.expect("it is plane")
@@ -92,8 +99,8 @@ pub(crate) fn grid(upright: &[f64], level: &[f64]) -> Grid {
 }
 
 pub(crate) fn summaries(features: &[Feature], grid: &Grid, limits: &Limits) -> Vec<Summary> {
-    let numbered = || (0..).zip(features);
-    grid.tiles().map(|tile| Summary::new(grid, tile, numbered(), limits).expect("in range")).collect()
+    let pieces = all_pieces(grid, features);
+    grid.tiles().map(|tile| Summary::new(grid, tile, &pieces, limits).expect("in range")).collect()
 }
 
 /// Merges in the order of a random tree.
@@ -125,8 +132,17 @@ fn extents(features: &[Feature]) -> Vec<(u16, u64)> {
     extents.into_iter().collect()
 }
 
-/// Compares the audit by tiles with the audit of the whole.
+/// Compares the audit by tiles with the audit of the whole; sometimes also by tiles that fit the map, whose lines meet its vertices.
 pub(crate) fn compare(features: &[Feature], grid: &Grid, limits: &Limits, random: &mut Random) {
+    compare_with(features, grid, limits, random);
+    if random.below(4) == 0 {
+        let most = 1 + random.below(12);
+        let fitted = Grid::fitted(points(features).collect(), most).expect("a grid");
+        compare_with(features, &fitted, limits, random);
+    }
+}
+
+fn compare_with(features: &[Feature], grid: &Grid, limits: &Limits, random: &mut Random) {
     let map = whole(features);
     let report = map.validate();
     let outcome = by_tiles(features, grid, limits, random);

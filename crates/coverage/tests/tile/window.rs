@@ -1,7 +1,7 @@
 //! Windows: data outside a window has no influence on its tile.
 
 use crate::maps::{Random, feature, line};
-use crate::whole::{largest, points, rounds};
+use crate::whole::{largest, pieces, points, rounds};
 use twinedge_coverage::Limits;
 use twinedge_coverage::tile::{Cuts, Grid, Summary, Tile};
 use twinedge_geometry::Point;
@@ -21,29 +21,33 @@ fn in_window(features: &[Feature], [low, high]: [Point; 2]) -> Vec<(u32, &Featur
     (0..).zip(features).filter(meets).collect()
 }
 
-fn complete(mut cuts: Cuts, features: &[(u32, &Feature)]) -> Cuts {
+fn complete(mut cuts: Cuts, features: &[(u32, &Feature)], largest: f64) -> Cuts {
+    let everything = Grid::everything();
+    let pieces = pieces(&everything, features.iter().copied(), largest);
     while !cuts.is_complete() {
-        let all = cuts.search(&Grid::EVERYTHING, Tile { column: 0, row: 0 }, features.iter().copied());
-        cuts.take([all.expect("in range")]).expect("few rounds");
+        let all = cuts.search(&everything, Tile(0), &pieces).expect("in range");
+        cuts.take([all]).expect("few rounds");
     }
     cuts
 }
 
 /// Compares the summaries of all tiles, made from all features and from the features in windows. Returns the fraction in windows.
 fn compare(features: &[Feature], grid: &Grid) -> f64 {
-    let none = Cuts::new(largest(features)).expect("finite");
+    let largest = largest(features);
+    let none = Cuts::new(largest).expect("finite");
     let numbered: Vec<(u32, &Feature)> = (0..).zip(features).collect();
-    let all = complete(none.clone(), &numbered);
+    let all = complete(none.clone(), &numbered, largest);
     let limits = Limits::default();
     let mut given = 0;
     for tile in grid.tiles() {
         let first = in_window(features, none.window(grid, tile, []));
-        let plain = |features: &[(u32, &Feature)]| Summary::new(grid, tile, features.iter().copied(), &limits);
+        let pieces = |features: &[(u32, &Feature)]| pieces(grid, features.iter().copied(), largest);
+        let plain = |features: &[(u32, &Feature)]| Summary::new(grid, tile, &pieces(features), &limits);
         assert_eq!(plain(&first), plain(&numbered), "{tile}");
-        let second = in_window(features, none.window(grid, tile, first.iter().map(|(_, feature)| *feature)));
-        let cuts = complete(none.clone(), &second);
+        let second = in_window(features, none.window(grid, tile, pieces(&first).iter().filter(|piece| piece.tile() == tile)));
+        let cuts = complete(none.clone(), &second, largest);
         let cut = |features: &[(u32, &Feature)], cuts| {
-            Summary::cut(grid, tile, features.iter().copied(), &limits, cuts).expect("in range")
+            Summary::cut(grid, tile, &pieces(features), &limits, cuts).expect("in range")
         };
         assert_eq!(cut(&second, &cuts), cut(&numbered, &all), "{tile}");
         given += second.len();

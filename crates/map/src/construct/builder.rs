@@ -17,7 +17,6 @@ use crate::summary::{BuildSummary, IrregularityKind, Position};
 use twinedge::dcel::RecordKind;
 use twinedge_geometry::crossing::{Clash, clashes};
 use twinedge_geometry::noding::NodingSummary;
-use twinedge_geometry::predicates::in_range;
 use twinedge_geometry::{Point, threads};
 
 /// The number of points of a chain that are looked up together.
@@ -101,10 +100,7 @@ impl Builder {
     /// [`BuildError::NotFinite`] and [`BuildError::OutOfRange`], with the position. Nothing of the feature is added then.
     pub fn feature(&mut self, feature: &Feature) -> Result<FeatureId, BuildError> {
         let id = FeatureId::new(self.features.names.len() as u32);
-        for (shape, what) in feature.shapes.iter().enumerate() {
-            let at = Position { feature: id.index(), shape, ..Position::default() };
-            Self::check(what, at)?;
-        }
+        feature.check(id.index())?;
         // A builder that was returned has no tables.
         self.places.extend(self.points.len(), |number| hash_of_point(self.points[number as usize]));
         self.segment_numbers.extend(self.segments.len(), |number| hash_of_segment(self.segments[number as usize]));
@@ -175,29 +171,6 @@ impl Builder {
     /// ```
     pub const fn limit_cuts(&mut self, cuts: usize) {
         self.cuts = Some(cuts);
-    }
-
-    fn check(shape: &Shape, at: Position) -> Result<(), BuildError> {
-        let point = |p: &Point, position: Position| {
-            let (x, y) = (p.x, p.y);
-            if in_range(*p) {
-                Ok(())
-            } else if !x.is_finite() || !y.is_finite() {
-                Err(BuildError::NotFinite { position, x, y })
-            } else {
-                Err(BuildError::OutOfRange { position, x, y })
-            }
-        };
-        let chain = |points: &[Point], at: Position| {
-            points.iter().enumerate().try_for_each(|(i, p)| point(p, Position { point: i, ..at }))
-        };
-        match shape {
-            Shape::Polygon(rings) => {
-                rings.iter().enumerate().try_for_each(|(ring, points)| chain(points, Position { ring, ..at }))
-            }
-            Shape::Line(points) => chain(points, at),
-            Shape::Point(p) => point(p, at),
-        }
     }
 
     fn take(&mut self, shape: &Shape, at: Position) -> Result<(), BuildError> {

@@ -46,7 +46,6 @@ pub struct CleanedTiles {
 impl CleanedTiles {
     /// Returns the tiles as the text and the JSON show them, with `decimals` decimal places.
     pub(super) fn told(&self, decimals: usize, named: impl Fn(&usize) -> FeatureName) -> ToldTiles {
-        let [columns, rows] = self.grid.size();
         let neighbourhoods = counted(self.neighbourhoods, "neighbourhood");
         let largest = grouped(self.vertices as usize);
         let too_large = |one: &TooLarge| {
@@ -67,7 +66,8 @@ impl CleanedTiles {
         json["not_cleaned"] = self.too_large.iter().map(too_large).collect();
         ToldTiles {
             line: format!(
-                "{columns} × {rows} tiles judged, {neighbourhoods} cleaned, the largest with {largest} vertices"
+                "{} judged, {neighbourhoods} cleaned, the largest with {largest} vertices",
+                counted(self.grid.len(), "tile")
             ),
             too_large: self.too_large.iter().map(line_of).collect(),
             json,
@@ -106,7 +106,7 @@ pub fn clean_in_tiles(
     stage("dividing the map");
     let (grid, most) = match division {
         Division::Across(across) => (grid_of(Some(corners), [across; 2])?, u64::MAX),
-        Division::Within(bytes) => (fitting(Some(corners), &mut *shelf, bytes)?, bytes / BYTES),
+        Division::Within(bytes) => (fitting(&mut *shelf, bytes)?, bytes / BYTES),
     };
     let before = judged(&grid, Some(corners), &limits, &mut *shelf, || stage("judging the tiles"))?;
     drop(shelf);

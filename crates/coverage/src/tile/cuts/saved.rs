@@ -1,7 +1,7 @@
 //! Loading saved cuts: points must be on the grid and chains must not turn back, so that following chains terminates.
 
-use super::{Cuts, Found, Key, ROUNDS, Source, is_way, key, unsigned};
-use crate::tile::ends::{Ends, compare_edges, compare_points};
+use super::{Cuts, Found, Key, ROUNDS, Source, is_way, key};
+use crate::tile::ends::{Ends, compare_edges, compare_points, unsigned};
 use core::cmp::Ordering;
 use thiserror::Error;
 use twinedge_geometry::Point;

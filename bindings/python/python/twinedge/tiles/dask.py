@@ -1,0 +1,104 @@
+"""Audits of layers on Dask."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+from .._columns import _by_tile
+from . import merge
+from ._engine import Audited, Plan, mentioned, survey, with_ids
+
+if TYPE_CHECKING:
+    import pyarrow as pa
+
+
+def audit(
+    frame: Any,
+    geometry: str = "geometry",
+    id: str = "id",
+    *,
+    vertices: int = 100_000,
+    gap_width: float | None = None,
+    lake_width: float | None = None,
+    accept_gaps: Iterable[Sequence[float]] | None = None,
+    sliver_area: float | None = None,
+    accept: Any = None,
+    list: int | None = None,
+) -> Audited:
+    """Audits a layer in a DataFrame of Dask as :func:`twinedge.audit` does the whole, with ``coverage=True``.
+
+    Dask divides the features of each partition, gives each tile to a task, and merges the summaries in pairs; this program gets one summary, and the ids of the
+    features that the report names. A task that runs again makes the same bytes. If the rows of a partition differ between two passes, as after the layer
+    was replaced, an error says so.
+
+    Parameters
+    ----------
+    frame
+        The DataFrame, also one of dask-geopandas.
+    geometry
+        The column of geometries: well-known binary, or those of shapely.
+    id
+        The column of ids, which are read as strings. ``findings`` names features by them.
+    vertices, gap_width, lake_width, accept_gaps, sliver_area, accept, list
+        As for :func:`twinedge.tiles.spark.audit`.
+
+    Raises ``ValueError`` and ``TypeError`` as :func:`twinedge.tiles.divide`.
+    """
+    import pyarrow as pa
+
+    # Dask has types for a part of what it has.
+    dask: Any = import_module("dask")
+    bag: Any = import_module("dask.bag")
+
+    limits = {"gap_width": gap_width, "lake_width": lake_width, "accept_gaps": accept_gaps, "sliver_area": sliver_area}
+    rows = [dask.delayed(_rows)(part, geometry, id) for part in frame[[id, geometry]].to_delayed()]
+    plan = Plan.of([*dask.compute(*(dask.delayed(survey)(part) for part in rows))], vertices, limits)
+    divided = [dask.delayed(_divided)(plan, part, at) for at, part in enumerate(rows)]
+    of_tiles = bag.from_delayed(divided).groupby(lambda one: one[0]).map(_table).persist()
+    while not plan.is_complete():
+        plan = plan.with_cuts(of_tiles.map(_searched, plan).compute())
+    sums = of_tiles.map(_summed, plan).fold(merge, initial=merge())
+    report = plan.report(sums.compute(), accept, list)
+    wanted = mentioned(report)
+    ids = dask.compute(*(dask.delayed(_ids)(plan, part, at, wanted) for at, part in enumerate(rows))) if wanted else ()
+    empty = pa.table({"feature": pa.array([], pa.int64()), "id": pa.array([], pa.string())})
+    return Audited(report, with_ids(report, pa.concat_tables([empty, *ids])).to_pandas())
+
+
+def _rows(part: Any, geometry: str, id: str) -> pa.Table:
+    """The rows of a partition, which is a DataFrame of pandas or geopandas."""
+    import pyarrow as pa
+    import shapely
+
+    column = part[geometry].to_numpy(object)
+    if any(shapely.is_geometry(column)):
+        column = shapely.to_wkb(column, flavor="iso")
+    ids = pa.array([None if one is None else str(one) for one in part[id]], pa.string())
+    return pa.table({"id": ids, "geometry": pa.array(column, pa.binary())})
+
+
+def _divided(plan: Plan, part: pa.Table, at: int) -> list[tuple[int, pa.Table]]:
+    return [*_by_tile(plan.divide(part, at))]
+
+
+def _table(of_tile: tuple[int, list[tuple[int, pa.Table]]]) -> pa.Table:
+    import pyarrow as pa
+
+    return pa.concat_tables([table for _, table in of_tile[1]])
+
+
+def _searched(of_tile: pa.Table, plan: Plan) -> list[pa.RecordBatch]:
+    return [*plan.search(of_tile)]
+
+
+def _summed(of_tile: pa.Table, plan: Plan) -> pa.RecordBatch:
+    (summary,) = plan.summaries(of_tile)
+    return summary
+
+
+def _ids(plan: Plan, part: pa.Table, at: int, wanted: Iterable[int]) -> pa.Table:
+    import pyarrow as pa
+
+    return pa.Table.from_batches(plan.ids(part, at, wanted), pa.schema([("feature", pa.int64()), ("id", pa.string())]))

@@ -1,0 +1,92 @@
+"""Audits of layers in DuckDB."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from typing import TYPE_CHECKING, Any
+
+from . import merge
+from ._engine import Audited, Plan, mentioned, survey, with_ids
+
+if TYPE_CHECKING:
+    import pyarrow as pa
+
+#: The rows of a batch.
+_ROWS = 10_000
+
+
+def audit(
+    relation: Any,
+    geometry: str = "geometry",
+    id: str = "id",
+    *,
+    connection: Any = None,
+    vertices: int = 100_000,
+    gap_width: float | None = None,
+    lake_width: float | None = None,
+    accept_gaps: Iterable[Sequence[float]] | None = None,
+    sliver_area: float | None = None,
+    accept: Any = None,
+    list: int | None = None,
+) -> Audited:
+    """Audits a layer in a relation of DuckDB as :func:`twinedge.audit` does the whole, with ``coverage=True``.
+
+    DuckDB holds the rows and the pieces of tiles in temporary tables, and writes to disk what does not fit into its memory; this program holds the pieces of
+    one tile and the summaries. So the layer may be larger than memory.
+
+    Parameters
+    ----------
+    relation
+        The relation, as :func:`duckdb.sql` returns it.
+    geometry
+        The column of geometries: well-known binary, or DuckDB's own type, for which its spatial extension must be loaded.
+    id
+        The column of ids, which are read as strings. ``findings`` names features by them.
+    connection
+        The connection of the relation, if that is not DuckDB's default connection.
+    vertices, gap_width, lake_width, accept_gaps, sliver_area, accept, list
+        As for :func:`twinedge.tiles.spark.audit`.
+
+    Raises ``ValueError`` and ``TypeError`` as :func:`twinedge.tiles.divide`.
+    """
+    import duckdb
+    import pyarrow as pa
+
+    database = duckdb.default_connection() if connection is None else connection
+    place, name = (f'"{column.replace(chr(34), chr(34) * 2)}"' for column in (geometry, id))
+    kinds = dict(zip(relation.columns, map(str, relation.types)))
+    as_binary = f"ST_AsWKB({place})::BLOB" if kinds.get(geometry, "").startswith("GEOMETRY") else place
+    limits = {"gap_width": gap_width, "lake_width": lake_width, "accept_gaps": accept_gaps, "sliver_area": sliver_area}
+    tables = [f"twinedge_{one}_{hash(relation) & 0xFFFFFFFF:x}" for one in ("rows", "pieces")]
+    rows, pieces = tables
+    try:
+        relation.project(f"{name}::VARCHAR AS id, {as_binary} AS geometry").query("given", f"CREATE TEMP TABLE {rows} AS SELECT * FROM given")
+        # Results are fetched whole, as none may be open while another statement runs.
+        ((count,),) = database.execute(f"SELECT count(*) FROM {rows}").fetchall()
+
+        def read() -> Iterator[pa.Table]:
+            for start in range(0, count, _ROWS):
+                yield database.sql(f"SELECT id, geometry FROM {rows} WHERE rowid >= {start} AND rowid < {start + _ROWS} ORDER BY rowid").to_arrow_table()
+
+        plan = Plan.of([survey(read())], vertices, limits)
+        database.execute(f"CREATE TEMP TABLE {pieces} (tile BIGINT, piece BLOB)")
+        for batch in plan.divide(read(), 0):
+            database.from_arrow(pa.Table.from_batches([batch])).query("given", f"INSERT INTO {pieces} SELECT * FROM given")
+        tiles = [tile for (tile,) in database.execute(f"SELECT DISTINCT tile FROM {pieces} ORDER BY tile").fetchall()]
+
+        def of_tile(tile: int) -> Any:
+            return database.sql(f"SELECT tile, piece FROM {pieces} WHERE tile = {tile}").to_arrow_table()
+
+        while not plan.is_complete():
+            wanted = {*plan.cuts.tiles(plan.grid)}
+            plan = plan.with_cuts([plan.cuts.search(of_tile(tile), plan.grid, tile) for tile in tiles if tile in wanted])
+        whole = merge()
+        for tile in tiles:
+            whole = merge(whole, *plan.summaries(of_tile(tile)))
+        report = plan.report(whole, accept, list)
+        features = mentioned(report)
+        ids = pa.Table.from_batches(plan.ids(read(), 0, features), pa.schema([("feature", pa.int64()), ("id", pa.string())]))
+    finally:
+        for one in tables:
+            database.execute(f"DROP TABLE IF EXISTS {one}")
+    return Audited(report, database.from_arrow(with_ids(report, ids)))

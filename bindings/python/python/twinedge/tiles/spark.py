@@ -1,0 +1,109 @@
+"""Audits of layers on Spark."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Any
+
+from . import merge, schema
+from ._engine import Audited, Plan, Survey, mentioned, survey, with_ids
+
+
+def audit(
+    frame: Any,
+    geometry: str = "geometry",
+    id: str = "id",
+    *,
+    vertices: int = 100_000,
+    gap_width: float | None = None,
+    lake_width: float | None = None,
+    accept_gaps: Iterable[Sequence[float]] | None = None,
+    sliver_area: float | None = None,
+    accept: Any = None,
+    list: int | None = None,
+) -> Audited:
+    """Audits a layer in a DataFrame of Spark as :func:`twinedge.audit` does the whole, with ``coverage=True``.
+
+    Spark divides the features, gives each tile to a task, and merges the summaries of the tiles in pairs; this program gets one summary, and the ids of the
+    features that the report names. The rows and the pieces are persisted meanwhile. A task that runs again makes the same bytes. If the rows of a partition
+    differ between two passes, as after the layer was replaced, the job fails and says so.
+
+    Parameters
+    ----------
+    frame
+        The DataFrame.
+    geometry
+        The column of geometries as well-known binary. Of Sedona's geometries, select ``ST_AsBinary``.
+    id
+        The column of ids, which are read as strings. ``findings`` names features by them.
+    vertices
+        The number of vertices of a tile, about. A task takes some 1,000 bytes for each.
+    gap_width, lake_width, accept_gaps, sliver_area, accept, list
+        As for :func:`twinedge.audit`. Summaries are smaller if ``gap_width`` and ``sliver_area`` are given.
+
+    Raises ``ValueError`` and ``TypeError`` as :func:`twinedge.tiles.divide`, inside of Spark's error if a worker raised it.
+    """
+    import numpy as np
+    import pyarrow as pa
+    from pyspark import TaskContext
+    from pyspark.sql import functions as f
+
+    def partition() -> int:
+        context = TaskContext.get()
+        assert context is not None
+        return int(context.partitionId())
+
+    def surveyed(batches: Iterator[pa.RecordBatch]) -> Iterator[pa.RecordBatch]:
+        found = survey(batches)
+        row = {"at": partition(), "rows": found.rows, "box": found.box, "digest": found.digest, "sample": found.sample.tobytes()}
+        yield pa.RecordBatch.from_pylist([row], _SURVEY)
+
+    _SURVEY = pa.schema([("at", pa.int64()), ("rows", pa.int64()), ("box", pa.list_(pa.float64())), ("digest", pa.binary()), ("sample", pa.binary())])
+    limits = {"gap_width": gap_width, "lake_width": lake_width, "accept_gaps": accept_gaps, "sliver_area": sliver_area}
+    # The same rows have the same order whenever a partition is made again.
+    rows = frame.select(f.col(id).cast("string").alias("id"), f.col(geometry).alias("geometry")).sortWithinPartitions("id", "geometry").persist()
+    pieces = None
+    try:
+        found = sorted(rows.mapInArrow(surveyed, "at long, rows long, box array<double>, digest binary, sample binary").collect(), key=lambda row: row.at)
+        surveys = {row.at: Survey(row.rows, row.box and tuple(row.box), bytes(row.digest), np.frombuffer(bytes(row.sample)).reshape(-1, 2)) for row in found}
+        empty = survey([])
+        plan = Plan.of([surveys.get(at, empty) for at in range(max(surveys, default=-1) + 1)], vertices, limits)
+
+        def divide(batches: Iterator[pa.RecordBatch], plan: Plan = plan) -> Iterator[pa.RecordBatch]:
+            return plan.divide(batches, partition())
+
+        pieces = rows.mapInArrow(divide, "tile long, piece binary").repartition(min(len(plan.grid), 10_000), "tile").persist()
+        while not plan.is_complete():
+
+            def search(batches: Iterator[pa.RecordBatch], plan: Plan = plan) -> Iterator[pa.RecordBatch]:
+                return plan.search(batches)
+
+            cuts = [bytes(row.found) for row in pieces.mapInArrow(search, "found binary").collect()]
+            plan = plan.with_cuts(pa.table({"found": pa.array(cuts, pa.binary())}))
+
+        def summaries(batches: Iterator[pa.RecordBatch], plan: Plan = plan) -> Iterator[pa.RecordBatch]:
+            return plan.summaries(batches)
+
+        def batch(summary: bytes) -> pa.RecordBatch:
+            return pa.RecordBatch.from_pylist([{"summary": summary}], schema())
+
+        def both(one: bytes, other: bytes) -> bytes:
+            (sum,) = merge(batch(one), batch(other))["summary"].to_pylist()
+            return bytes(sum)
+
+        whole = pieces.mapInArrow(summaries, "summary binary").rdd.map(lambda row: bytes(row.summary)).treeReduce(both)
+        report = plan.report(batch(whole), accept, list)
+        wanted = mentioned(report)
+
+        def ids(batches: Iterator[pa.RecordBatch], plan: Plan = plan) -> Iterator[pa.RecordBatch]:
+            return plan.ids(batches, partition(), wanted)
+
+        named = rows.mapInArrow(ids, "feature long, id string").collect() if wanted else []
+        table = pa.table({"feature": [row.feature for row in named], "id": [row.id for row in named]})
+    finally:
+        rows.unpersist()
+        if pieces is not None:
+            pieces.unpersist()
+    findings = with_ids(report, table)
+    kinds = "rule string, kind string, features array<long>, x double, y double, area double, width double, length double, id string, message string"
+    return Audited(report, frame.sparkSession.createDataFrame([tuple(row.values()) for row in findings.to_pylist()], kinds + ", ids array<string>"))
