@@ -10,7 +10,7 @@ fn parcels() -> Folder {
 }
 
 /// Writes the summaries of these tiles, named after the column and the row.
-fn tiles(folder: &Folder, file: &str, grid: &str, tiles: &[&str]) -> String {
+pub(crate) fn tiles(folder: &Folder, file: &str, grid: &str, tiles: &[&str]) -> String {
     for tile in tiles {
         let ran = folder.run(&format!("tile {file} --grid {grid} --tile {tile} -o {tile}"));
         assert_eq!((ran.status, &*ran.err), (Some(0), ""));
@@ -71,10 +71,10 @@ fn sums_are_made_in_steps_and_name_what_is_missing() {
     tiles(&folder, "parcels.wkt", "3x2", &["1,0", "0,1", "2,1", "0,0", "2,0", "1,1"]);
     folder.write("empty", "");
     // With the same bytes in any order.
-    folder.ok("sum -o first 1,0 0,1 2,1 0,0");
-    folder.ok("sum -o again 0,0 2,1 0,1 1,0");
+    folder.ok("sum --merge first 1,0 0,1 2,1 0,0");
+    folder.ok("sum --merge again 0,0 2,1 0,1 1,0");
     assert!(folder.read("first") == folder.read("again"));
-    assert_eq!(folder.ok("sum -o second 2,0 1,1"), "");
+    assert_eq!(folder.ok("sum --merge second 2,0 1,1"), "");
     let [mut of_parts, mut sum] =
         ["second first", "0,0 0,1 1,0 1,1 2,0 2,1"].map(|files| folder.json(&format!("sum --format json {files}")).1);
     for one in [&mut of_parts, &mut sum] {
@@ -90,8 +90,8 @@ sum 2,0 1,1 => 2 4 tiles are missing: (0,0), (1,0), (0,1) and (2,1)
 sum parcels.wkt => 2 this is not a summary of tiles
 sum empty => 2 this is not a summary of tiles
 sum 1,0 1,0 => 2 1,0: tile 1,0 is in 1,0, too
-sum first -o below/../first => 2 this is the input, and is not overwritten
-sum first --coverage -o x => 2 '--coverage' cannot be used with '--output
+sum first --merge below/../first => 2 this is the input, and is not overwritten
+sum first --coverage --merge x => 2 cannot be used with ++ --coverage
 ",
     );
     assert!(folder.read("first") == before);
