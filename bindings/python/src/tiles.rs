@@ -7,10 +7,11 @@ use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyBytes;
+use std::time::Instant;
 use twinedge_coverage::tile::{Cuts, Found, Grid, Portion, Source, Tile, TileError};
 use twinedge_geometry::Point;
 use twinedge_map::{BuildError, Feature, Shape};
-use twinedge_report::{audit_portion, merged, refuse_without_cuts};
+use twinedge_report::{TiledLayer, audit_portion, merged, refuse_without_cuts};
 
 /// A grid: the corners of its box, and the numbers of columns and rows.
 pub(crate) type GridArguments = ([f64; 4], u32, u32);
@@ -210,7 +211,7 @@ pub(crate) fn merge(py: Python<'_>, summaries: Vec<PyBackedBytes>) -> PyResult<O
     Ok(bytes?.map(|bytes| PyBytes::new(py, &bytes)))
 }
 
-/// Returns the report from the summaries of all tiles. With a grid, the tiles that are missing are those of nothing.
+/// Returns the report from the summaries of all tiles. With a grid, the tiles that are missing are those of nothing. Features have these ids, or none.
 #[pyfunction]
 pub(crate) fn finish(
     py: Python<'_>,
@@ -218,7 +219,9 @@ pub(crate) fn finish(
     of: Option<GridArguments>,
     asked: &str,
     accept: Option<&str>,
+    ids: Vec<Option<String>>,
 ) -> PyResult<Told> {
+    let start = Instant::now();
     let found = py.detach(|| {
         let options = options(asked, accept)?;
         let mut all = sum(&summaries)?;
@@ -235,7 +238,9 @@ pub(crate) fn finish(
             all = merged(all.into_iter().chain(missing).collect())?;
         }
         let all = all.ok_or_else(|| Failure::Value("there is no summary".to_owned()))?;
-        told(&audit_portion(all, None, &options)?, options.accepted.as_ref())
+        let mut audited = audit_portion(all, TiledLayer::Unread { ids, crs: None }, &options)?;
+        audited.took(start.elapsed().as_secs_f64() * 1000.0);
+        told(&audited, options.accepted.as_ref())
     });
     Ok(found?)
 }

@@ -71,7 +71,7 @@ pub enum TiledLayer {
         /// The ids of the features by number, or none: then features are known by their numbers.
         ids: Vec<Option<String>>,
         /// The coordinate reference system, unless it is longitude and latitude on WGS 84.
-        crs: Option<Crs>,
+        crs: Option<Box<Crs>>,
     },
     /// The layer, read without building a map ([`Imported::features`]).
     Read(Box<Imported>),
@@ -186,7 +186,7 @@ pub(crate) fn audit_portion(portion: Portion, layer: TiledLayer, asked: &Options
     }
     let (mut imported, is_read) = match layer {
         TiledLayer::Read(imported) => (*imported, true),
-        TiledLayer::Unread { ids, crs } => (unread(&grid, &outcome, ids, crs)?, false),
+        TiledLayer::Unread { ids, crs } => (unread(&grid, &outcome, ids, crs.map(|crs| *crs))?, false),
     };
     imported.noted.defects = numbered(&outcome.defects);
     refuse_other(&imported, &outcome)?;

@@ -130,7 +130,7 @@ fn read(path: &Path, source: &Source, judged: Option<&Judged>, options: &MapOpti
 }
 
 /// The reference system of the tiles. Only its number identifies its units.
-fn crs(source: &Source) -> Option<Crs> {
+fn crs(source: &Source) -> Option<Box<Crs>> {
     let number = |name: &str| name.strip_prefix("EPSG:").and_then(|number| number.parse().ok());
-    source.get(fact::CRS).map(|name| number(name).map_or_else(Crs::default, Crs::epsg))
+    source.get(fact::CRS).map(|name| Box::new(number(name).map_or_else(Crs::default, Crs::epsg)))
 }

@@ -4,6 +4,7 @@ use crate::shared::{FAULTY, has, members};
 use crate::support::{Folder, crossing, root};
 use crate::tile::tiles;
 use serde_json::{Value, json};
+use std::fmt::Write as _;
 
 /// Two fields whose common border has a vertex only in the west.
 const UNMATCHED: &str = "POLYGON((0 0,2 0,2 2,2 4,0 4,0 0))\nPOLYGON((2 0,4 0,4 4,2 4,2 0))\n";
@@ -31,7 +32,7 @@ fn mirrored() -> String {
                 [k + 4.0, h + w + 4.0],
                 [4.0 - w, h / 2.0 + 4.0],
             ]);
-            lines += &format!("POLYGON(({square}),({hole}))\n");
+            writeln!(lines, "POLYGON(({square}),({hole}))").unwrap();
         }
     }
     lines
@@ -53,7 +54,7 @@ fn named(polygons: &str) -> String {
 /// Removes the members in which a report by tiles differs from the report on the whole map, and rounds numbers to nine digits.
 fn compared(mut report: Value, has_consequences: bool) -> Value {
     let without = |one: &mut Value, names: &[&str]| {
-        one.as_object_mut().unwrap().retain(|name, _| !names.contains(&name.as_str()))
+        one.as_object_mut().unwrap().retain(|name, _| !names.contains(&name.as_str()));
     };
     without(&mut report, &["elapsed_ms", "tiles"]);
     if has_consequences {
@@ -111,7 +112,9 @@ fn the_report_of_a_sum_is_the_report_of_the_audit() {
         ("mirrored.geojson", &mirrored()),
     ];
     let folder = Folder::new(&[("faulty.wkt", FAULTY)]);
-    files.iter().for_each(|(name, polygons)| folder.write(name, named(polygons)));
+    for (name, polygons) in files {
+        folder.write(name, named(polygons));
+    }
     let (crossing, large) = (crossing(), root("tests/data/world-50m.geojson"));
     for (file, has_consequences, rules) in [
         ("faulty.geojson", false, &["C1", "C2", "C4", "C5", "C6"][..]),
