@@ -7,10 +7,11 @@ use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, P
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyBytes;
+use std::time::Instant;
 use twinedge_coverage::tile::{Cuts, Found, Grid, Piece, Portion, Source, Tile, TileError};
 use twinedge_geometry::Point;
 use twinedge_map::{BuildError, Feature};
-use twinedge_report::{audit_portion, merged, refuse_without_cuts};
+use twinedge_report::{TiledLayer, audit_portion, merged, refuse_without_cuts};
 
 /// The tile of each row, and the position of each row.
 pub(crate) type Assignment<'py> = (Bound<'py, PyArray1<u64>>, Bound<'py, PyArray1<u64>>);
@@ -262,7 +263,7 @@ pub(crate) fn merge(py: Python<'_>, summaries: Vec<PyBackedBytes>) -> PyResult<O
     Ok(bytes?.map(|bytes| PyBytes::new(py, &bytes)))
 }
 
-/// Returns the report from the summaries of all tiles. With a grid, the tiles that are missing are those of nothing.
+/// Returns the report from the summaries of all tiles. With a grid, the tiles that are missing are those of nothing. Features have these ids, or none.
 #[pyfunction]
 pub(crate) fn finish(
     py: Python<'_>,
@@ -270,7 +271,9 @@ pub(crate) fn finish(
     of: Option<PyBackedBytes>,
     asked: &str,
     accept: Option<&str>,
+    ids: Vec<Option<String>>,
 ) -> PyResult<Told> {
+    let start = Instant::now();
     let found = py.detach(|| {
         let options = options(asked, accept)?;
         let mut all = sum(&summaries)?;
@@ -287,7 +290,9 @@ pub(crate) fn finish(
             all = merged(all.into_iter().chain(missing).collect())?;
         }
         let all = all.ok_or_else(|| Failure::Value("there is no summary".to_owned()))?;
-        told(&audit_portion(all, None, &options)?, options.accepted.as_ref())
+        let mut audited = audit_portion(all, TiledLayer::Unread { ids, crs: None }, &options)?;
+        audited.took(start.elapsed().as_secs_f64() * 1000.0);
+        told(&audited, options.accepted.as_ref())
     });
     Ok(found?)
 }

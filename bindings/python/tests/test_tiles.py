@@ -63,6 +63,28 @@ def test_plain_loops_say_what_the_audit_of_the_whole_says(whole, features):
     assert told(tiles.finish(merged, coverage=True)) == told(whole)
 
 
+def test_the_report_is_that_of_the_audit_with_the_same_labels(features):
+    labels = [f"parcel {number}" for number in range(len(LAYER))]
+    layer = {"type": "FeatureCollection", "features": [
+        {"type": "Feature", "id": label, "properties": {}, "geometry": shapely.geometry.mapping(shape)} for label, shape in zip(labels, LAYER)
+    ]}
+    parts = [summary(given[::-1]) for given in tiles.assigned(features, GRID).items()]
+    audit = twinedge.audit(layer, coverage=True, explain=True, **LIMITS)
+    report = tiles.finish(parts, labels=np.array(labels), coverage=True, explain=True, **LIMITS)
+    # What is known of the input only, the size of the grid, and the time.
+    found, whole = ({name: value for name, value in one.to_dict().items() if name not in ("input", "judged", "import", "tiles", "elapsed_ms")} for one in (report, audit))
+    assert found == whole and twinedge.diff(audit, report) == ([], [], [], len(FAULTS)) and report.to_dict()["elapsed_ms"] > 0
+    assert [finding.labels for finding in report.findings] == [finding.labels for finding in audit.findings]
+    # Lists of accepted findings serve both.
+    for one, other in [(audit, report), (report, audit)]:
+        accept = one.accept_all("as surveyed", "2026-11-29")
+        assert twinedge.audit(layer, coverage=True, accept=accept, **LIMITS).valid and tiles.finish(parts, labels=labels, coverage=True, accept=accept).valid
+        assert other.accept_all("as surveyed", "2026-11-29") == accept
+    assert tiles.finish(parts, coverage=True, accept=accept).verdict == "invalid"
+    with pytest.raises(ValueError, match="the tiles were made of another layer: theirs has a feature 26, and this one has 5 features"):
+        tiles.finish(parts, labels=labels[:5])
+
+
 @pytest.mark.parametrize(
     "grid",
     [tiles.Grid((0, 0, 12, 8), 1, 1), tiles.Grid((0, 0, 12, 8), 12, 8), tiles.Grid((-3, -1, 25.5, 31), 7, 5), tiles.Grid((2.5, 1.5, 9.1, 6.3), 4, 4)],

@@ -12,6 +12,7 @@
 use super::claims::faces_of;
 use twinedge::dcel::{Boundary, FaceKey, HalfEdge, StaleKey};
 use twinedge_geometry::Point;
+use twinedge_geometry::predicates::compare_lexicographic;
 use twinedge_map::{Embedding, FeatureId, PlanarMap};
 
 /// A compensated sum: rounding errors are also summed.
@@ -72,8 +73,12 @@ pub fn ring_area(ring: impl IntoIterator<Item = Point>) -> f64 {
     twice.value() / 2.0
 }
 
+/// Returns the area inside a cycle, or 0 for an isolated vertex. The ring begins at the least vertex, so that the rounding does not depend on the
+/// order of records.
 pub(super) fn boundary(map: &PlanarMap, boundary: Boundary<'_>) -> f64 {
-    ring_area(boundary.half_edges().map(HalfEdge::origin).map(|v| map.point(v.index())))
+    let point = |h: HalfEdge<'_>| map.point(h.origin().index());
+    let first = boundary.half_edges().min_by(|a, b| compare_lexicographic(point(*a), point(*b)));
+    first.map_or(0.0, |first| ring_area(first.boundary_cycle().map(point)))
 }
 
 /// Returns the area of a face, without its holes; infinite for the unbounded face. O(its half-edges).

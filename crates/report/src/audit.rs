@@ -14,14 +14,14 @@ use crate::report::AuditReport;
 use crate::shelf::Shelf;
 use crate::tables::TablesReport;
 use crate::textbook::Textbook;
-use crate::tiles::Division;
+use crate::tiles::{Division, TiledLayer};
 use crate::verdict::{Judged, Verdict};
 use crate::words::{counted, json, plain};
 use crate::{findings_geojson, junit, map, mesh, page, sarif, sphere, tables, text, textbook_audit, tiles, topology};
 use twinedge_coverage::tile::Portion;
 use twinedge_diagnosis::{Diagnosis, RuleLine};
+use twinedge_layers::Layer;
 use twinedge_layers::topojson::ArcTopology;
-use twinedge_layers::{Crs, Layer};
 use twinedge_meshes::IndexedMesh;
 use twinedge_postgis::Topology;
 
@@ -171,7 +171,7 @@ pub fn audit_in_tiles(
     options.refuse_with_geodesic(Some("--tiles or --memory"))?;
     let mut input = input;
     let may_say = options.may_be_said(&mut input)?;
-    let imported = Imported::features(input, &options.map, Keep::default(), shelf)?;
+    let imported = Imported::features(input, &options.map, Keep::default(), &mut |feature| shelf.put(feature))?;
     if may_say {
         tiles::refuse_edges(imported.edges.as_deref(), imported.crs.as_ref(), imported.noted.corners())?;
     }
@@ -212,19 +212,14 @@ pub fn audit_mesh(name: &str, mesh: IndexedMesh, options: &Options) -> Result<Au
     Ok(Audited(Outcome::Report(Box::new(report), Subject::Mesh(mesh))))
 }
 
-/// Reports the audit of all tiles of a map. Where edges meet away from vertices, the findings come from the tiles with their edges cut. The report
-/// names features by their numbers. If a tile was made without cuts, or was missing when edges were cut, the report names the tile, and the
-/// coverage is not judged.
-///
-/// `crs` is the map's coordinate reference system, unless it is longitude and latitude on WGS 84.
+/// Reports the audit of all tiles of a map. Where edges meet away from vertices, the findings come from the tiles with their edges cut. If a tile
+/// was made without cuts, or was missing when edges were cut, the report names the tile, and the coverage is not judged. With the layer that the
+/// tiles were made of, the report is [`audit_in_tiles`]'s; the limits are those of the tiles.
 ///
 /// # Errors
-/// [`Error::Missing`] and [`Error::Tiles`]; [`Error::NoEdges`], unless a map may be empty.
-pub fn audit_portion(portion: Portion, crs: Option<Crs>, options: &Options) -> Result<Audited, Error> {
-    let mut report = tiles::audit_portion(portion, crs, options)?.unexplained();
-    report.identify();
-    report.settle(options.accepted.as_ref());
-    Ok(Audited(Outcome::Report(Box::new(report), Subject::Tiles)))
+/// [`Error::Missing`] and [`Error::Tiles`]; [`Error::OtherLayer`]; [`Error::NoEdges`], unless a map may be empty.
+pub fn audit_portion(portion: Portion, layer: TiledLayer, options: &Options) -> Result<Audited, Error> {
+    Ok(told(tiles::audit_portion(portion, layer, options)?, Subject::Tiles, options, InputKind::Map))
 }
 
 impl Audited {

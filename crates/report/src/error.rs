@@ -35,6 +35,9 @@ pub enum Error {
         /// The number of all missing tiles.
         count: u64,
     },
+    /// The tiles were made of another layer.
+    #[error("the tiles were made of another layer: {0}")]
+    OtherLayer(String),
     /// The tiles do not say what features cover.
     #[error("the tiles do not say what features cover: {0}")]
     Unjudged(String),

@@ -5,7 +5,7 @@ use crate::input::Input;
 use crate::noted::{Keep, Noted};
 use crate::options::MapOptions;
 use crate::read_ahead::{Take, read_ahead};
-use crate::shelf::Shelf;
+use std::io;
 use twinedge_coverage::insert_touches;
 use twinedge_geometry::noding::Snap;
 use twinedge_layers::io::ReadSummary;
@@ -117,19 +117,24 @@ impl Imported {
         self.noted.without_geometry().into_iter().chain(self.noted.warnings(&self.read)).chain(edges).collect()
     }
 
-    /// Reads the features of a map onto a shelf without building the map: the result has only their names, and the summary does not know segments
-    /// repeated by different features.
+    /// Reads the features of a map, and calls `put` with each, without building the map: the result has only their names, and the summary does not know
+    /// segments repeated by different features.
     ///
     /// # Errors
     /// [`Error`].
-    pub fn features(input: Input, options: &MapOptions, keep: Keep<'_>, shelf: &mut dyn Shelf) -> Result<Self, Error> {
+    pub fn features(
+        input: Input,
+        options: &MapOptions,
+        keep: Keep<'_>,
+        put: &mut (dyn FnMut(Feature) -> io::Result<()> + Send),
+    ) -> Result<Self, Error> {
         let (mut summary, mut all_names) = (BuildSummary::default(), Vec::new());
         let gathered = Gathered::new(input, options, keep, &mut |feature| {
             summary.count(feature).map_err(ReadError::refused)?;
             all_names.push(feature.name.take());
             feature.id = None;
             insert_touches(&mut feature.shapes);
-            Ok(shelf.put(std::mem::take(feature))?)
+            Ok(put(std::mem::take(feature))?)
         })?;
         let Gathered { name, read, noted, crs, orients_rings, edges } = gathered;
         let map = names(all_names.into_iter())?;

@@ -8,7 +8,6 @@ use crate::names::named;
 use crate::noted::Keep;
 use crate::options::{MapOptions, Options, ParentColumn};
 use crate::report::AuditReport;
-use crate::shelf::InMemory;
 use crate::trace::{of_extent, position};
 use crate::units::Units;
 use crate::words::{grouped, measure, plain};
@@ -37,13 +36,17 @@ impl Other {
         map.name_from = None;
         let keep = Keep { columns: &columns, ..Keep::default() };
         let name = plain(&input.name);
-        let mut shelf = InMemory::default();
-        let imported = Imported::features(input, &map, keep, &mut shelf)
+        let mut features = Vec::new();
+        let mut put = |feature| {
+            features.push(feature);
+            Ok(())
+        };
+        let imported = Imported::features(input, &map, keep, &mut put)
             .map_err(|why| Error::Against { input: name, why: Box::new(why) })?;
         if imported.read.polygons == 0 {
             return Err(Error::NoAreas(plain(&imported.name)));
         }
-        Ok(Self { imported, features: shelf.into_features() })
+        Ok(Self { imported, features })
     }
 }
 

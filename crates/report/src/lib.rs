@@ -94,6 +94,6 @@ pub use options::{
 };
 pub use shelf::{InMemory, Shelf};
 pub use tables::EXPECT;
-pub use tiles::{Division, grid_of, merged, no_cuts, refuse_edges};
+pub use tiles::{Division, TiledLayer, grid_of, merged, no_cuts, refuse_edges};
 pub use units::Units;
 pub use verdict::{Judged, Verdict};

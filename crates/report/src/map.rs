@@ -12,12 +12,14 @@ use crate::report::{AuditReport, CoverageStyle, JsonForm, counts};
 use crate::trace::placed;
 use crate::units::Units;
 use serde_json::to_value;
+use std::cmp::Ordering;
 use std::collections::BTreeSet;
 use twinedge::dcel::{Boundary, Face, Vertex};
 use twinedge::validate::{Collect, Expectation, Record, Report, Rule, Violation};
 use twinedge_algorithm::colouring::feature_colours;
 use twinedge_coverage::CoverageRule;
 use twinedge_diagnosis::{Diagnosis, FeatureName, RuleLine};
+use twinedge_geometry::Point;
 use twinedge_geometry::predicates::compare_lexicographic;
 use twinedge_map::{Embedding as _, FeatureId, PlanarMap, places, validate_embedding};
 
@@ -95,18 +97,37 @@ fn by_place(map: &PlanarMap, violations: &[Violation]) -> Vec<Violation> {
             *vertex = least_vertex(map, *vertex, &mut seen).unwrap_or(*vertex);
         }
     }
-    let key = |violation: &Violation| match *violation {
-        Violation::Genus { vertex, vertices, edges, cycles, .. } => ([vertices, edges, cycles], map.point(vertex)),
-        _ => Default::default(),
+    let mut keyed: Vec<_> = found.into_iter().map(|violation| (order(map, &violation), violation)).collect();
+    let compare = |a: &[Point], b: &[Point]| {
+        let mut orders = a.iter().zip(b).map(|(a, b)| compare_lexicographic(*a, *b));
+        orders.find(|order| order.is_ne()).unwrap_or(Ordering::Equal)
     };
-    let is_other = |violation: &Violation| violation.rule() != Rule::T3;
-    for of_rule in found.split_mut(is_other) {
-        of_rule.sort_by(|a, b| {
-            let ((size, place), (other, beside)) = (key(a), key(b));
-            size.cmp(&other).then(compare_lexicographic(place, beside))
-        });
+    for of_rule in keyed.chunk_by_mut(|(_, a), (_, b)| a.rule() == b.rule()) {
+        of_rule.sort_by(|((size, places), _), ((other, beside), _)| size.cmp(other).then(compare(places, beside)));
     }
-    found
+    keyed.into_iter().map(|(_, violation)| violation).collect()
+}
+
+/// Returns the sizes and the places by which the violations of T3 and of G4 are sorted, as in an audit by tiles: crossings before touching vertices
+/// before overlaps, and then by their edges.
+fn order(map: &PlanarMap, violation: &Violation) -> ([usize; 3], Vec<Point>) {
+    let mut around = places(map, violation);
+    let kind = match *violation {
+        Violation::Genus { vertices, edges, cycles, .. } => return ([vertices, edges, cycles], around),
+        Violation::Cross { .. } => 0,
+        Violation::Touch { .. } => 1,
+        Violation::Overlap { .. } => 2,
+        _ => return Default::default(),
+    };
+    // A touching vertex precedes its edge.
+    let skipped = around.len() % 2;
+    around[skipped..].chunks_mut(2).for_each(|ends| ends.sort_by(|a, b| compare_lexicographic(*a, *b)));
+    if let [a, b, c, d] = around[..]
+        && compare_lexicographic(a, c).then(compare_lexicographic(b, d)).is_gt()
+    {
+        around = vec![c, d, a, b];
+    }
+    ([kind, 0, 0], around)
 }
 
 /// Returns the vertex of the same component with the least coordinates, by x and then y. `seen` marks the visited vertices of all components. O(size

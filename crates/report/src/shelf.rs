@@ -39,20 +39,6 @@ pub struct InMemory {
     filed: Vec<Vec<Piece>>,
 }
 
-impl InMemory {
-    /// Returns all features, in order.
-    #[must_use]
-    pub fn features(&self) -> &[Feature] {
-        &self.features
-    }
-
-    /// Returns all features, in order.
-    #[must_use]
-    pub fn into_features(self) -> Vec<Feature> {
-        self.features
-    }
-}
-
 impl Shelf for InMemory {
     fn put(&mut self, feature: Feature) -> io::Result<()> {
         self.features.push(feature);

@@ -10,13 +10,13 @@ use crate::map_notes::notes;
 use crate::names::numbered_name;
 use crate::noted::{Noted, are_degrees};
 use crate::options::{CoverageOptions, Options};
-use crate::report::{AuditReport, CoverageStyle, JsonForm, counts};
+use crate::report::{AuditReport, CoverageStyle, JsonForm, Note, counts};
 use crate::shelf::Shelf;
 use crate::trace::position;
 use crate::units::Units;
 use crate::words::counted;
 use crate::words::made_without;
-use serde_json::{Map, Value, json, to_value};
+use serde_json::{Value, json, to_value};
 use twinedge::validate::{Rule, Violation};
 use twinedge_coverage::tile::{
     AuditError, Crossing, CrossingKind, Cuts, Grid, Outcome, Portion, SeamFault, SeamRule, Uneven,
@@ -41,9 +41,12 @@ pub enum Division {
 const BYTES: u64 = 700;
 const AT_ONCE: u64 = 3;
 
-/// The size of a sample of vertices, and the number of tiles above which each would cost more than it saves.
+/// The size of a sample of vertices, and the greatest number of tiles, about.
 const SAMPLE: usize = 1 << 16;
 const MOST_TILES: u64 = 1 << 12;
+
+/// The number of vertices below which a tile would cost more than it saves.
+const LEAST: u64 = 16;
 
 /// Divides a map on a shelf into tiles, judges them and merges their summaries.
 pub(crate) fn audit(
@@ -60,19 +63,47 @@ pub(crate) fn audit(
         Division::Within(bytes) => fitting(shelf, bytes)?,
     };
     let outcome = judged(&grid, corners, &asked.coverage.limits.limits(), shelf, || stage("judging the tiles"))?;
+    imported.noted.defects = numbered(&outcome.defects);
+    finished(imported, &grid, outcome, None, asked)
+}
+
+/// What is known of the layer that tiles were made of.
+#[derive(Debug)]
+pub enum TiledLayer {
+    /// Facts in place of the layer.
+    Unread {
+        /// The ids of the features by number, or none: then features are known by their numbers.
+        ids: Vec<Option<String>>,
+        /// The coordinate reference system, unless it is longitude and latitude on WGS 84.
+        crs: Option<Box<Crs>>,
+    },
+    /// The layer, read without building a map ([`Imported::features`]).
+    Read(Box<Imported>),
+}
+
+/// Adds facts about the input to the report on all tiles.
+fn finished(
+    mut imported: Imported,
+    grid: &Grid,
+    outcome: Outcome,
+    left_out: Option<String>,
+    asked: &Options,
+) -> Result<AuditReport, Error> {
     let summary = &mut imported.summary;
     // Equal segments are one edge.
     summary.duplicate_segments = (summary.segments - summary.zero_length_segments).saturating_sub(outcome.counts.edges);
-    imported.noted.defects = numbered(&outcome.defects);
-    let noted = &imported.noted;
     let warnings: Vec<String> = imported.warnings();
     let mut extra = extra(&imported, &warnings);
-    extra.insert("tiles".to_owned(), size(&grid));
+    extra.insert("tiles".to_owned(), size(grid));
     let units = Units::of(&imported, asked.measured.geodesic)?;
-    let found = report(&imported, outcome, None, &asked.coverage, &units, asked.most())?;
+    let found = report(&imported, outcome, left_out, &asked.coverage, &units, asked.most())?;
     Ok(AuditReport {
         notes: notes(&imported, warnings),
-        style: CoverageStyle { is_rule: asked.coverage.coverage, list: asked.list, decimals: noted.decimals() },
+        style: CoverageStyle {
+            is_rule: asked.coverage.coverage,
+            list: asked.list,
+            decimals: imported.noted.decimals(),
+        },
         crs: imported.crs.clone(),
         json: JsonForm { extra, ..found.json },
         ..found
@@ -117,12 +148,12 @@ pub(crate) fn fitting(shelf: &mut dyn Shelf, bytes: u64) -> Result<Grid, Error> 
             }
         }
     })?;
-    let most = (bytes / (BYTES * AT_ONCE)).max(count / MOST_TILES);
+    let most = (bytes / (BYTES * AT_ONCE)).max(count / MOST_TILES).max(LEAST);
     Ok(Grid::fitted(sample, (most / step) as usize)?)
 }
 
-/// Reports the audit of all tiles. Features are known by their numbers.
-pub(crate) fn audit_portion(portion: Portion, crs: Option<Crs>, asked: &Options) -> Result<AuditReport, Error> {
+/// Reports the audit of all tiles.
+pub(crate) fn audit_portion(portion: Portion, layer: TiledLayer, asked: &Options) -> Result<AuditReport, Error> {
     let grid = portion.summary().grid().clone();
     refuse_missing(portion.summary())?;
     let without = portion.without_cuts();
@@ -139,15 +170,35 @@ pub(crate) fn audit_portion(portion: Portion, crs: Option<Crs>, asked: &Options)
     if outcome.counts.edges == 0 && !asked.map.allow_empty {
         return Err(Error::NoEdges);
     }
+    let (mut imported, is_read) = match layer {
+        TiledLayer::Read(imported) => (*imported, true),
+        TiledLayer::Unread { ids, crs } => (unread(&grid, &outcome, ids, crs.map(|crs| *crs))?, false),
+    };
+    imported.noted.defects = numbered(&outcome.defects);
+    refuse_other(&imported, &outcome)?;
+    let has_ids = !imported.noted.ids.is_empty();
+    let mut found = finished(imported, &grid, outcome, left_out, asked)?;
+    if !is_read {
+        // Nothing is known of the input.
+        found.json.extra.remove("import");
+        found.notes.retain(|note| matches!(note, Note::Warning(_)));
+        let by_number = "features are known by their numbers: --of FILE reads their names and ids, on which the ids of findings depend";
+        found.notes.extend((!has_ids).then(|| Note::Plain(by_number.to_owned())));
+    }
+    Ok(found)
+}
+
+/// What tiles know of the layer that they were made of.
+fn unread(grid: &Grid, outcome: &Outcome, ids: Vec<Option<String>>, crs: Option<Crs>) -> Result<Imported, Error> {
     let mut noted = Noted::new(None);
-    noted.defects = numbered(&outcome.defects);
+    noted.ids = ids;
     if let Some(corners) = outcome.corners {
         noted.reach(corners, &outcome.extents);
     }
     let mut read = ReadSummary::default();
     read.polygons = 1;
     read.other_crs = usize::from(crs.is_some());
-    let imported = Imported {
+    Ok(Imported {
         name: counted(grid.len(), "tile"),
         read,
         map: names(std::iter::empty())?,
@@ -159,16 +210,29 @@ pub(crate) fn audit_portion(portion: Portion, crs: Option<Crs>, asked: &Options)
         crs,
         orients_rings: false,
         edges: None,
-    };
-    let units = Units::of(&imported, false)?;
-    let found = report(&imported, outcome, left_out, &asked.coverage, &units, asked.most())?;
-    let extra: Map<String, Value> = [("tiles".to_owned(), size(&grid))].into_iter().collect();
-    let decimals = imported.noted.decimals();
-    Ok(AuditReport {
-        style: CoverageStyle { list: None, decimals, is_rule: asked.coverage.coverage },
-        json: JsonForm { extra, ..found.json },
-        ..found
     })
+}
+
+/// Refuses a layer with another box than the tiles, or without a feature that they name.
+fn refuse_other(imported: &Imported, outcome: &Outcome) -> Result<(), Error> {
+    let in_words = |corners: Option<[Point; 2]>| corners.map_or_else(|| "nothing".to_owned(), edge);
+    let (of_tiles, of_layer) = (outcome.corners, imported.noted.corners());
+    if of_tiles != of_layer {
+        let [one, other] = [of_tiles, of_layer].map(in_words);
+        return Err(Error::OtherLayer(format!("the box around theirs is {one}, and that of this one {other}")));
+    }
+    let of_findings = outcome.coverage.iter().flat_map(|found| &found.findings).flat_map(|one| &one.features);
+    let of_crossings = outcome.crossings.iter().flat_map(|one| one.features.iter().map(|feature| *feature as usize));
+    let numbers = of_findings.map(|feature| feature.index()).chain(of_crossings);
+    let greatest = numbers.chain(imported.noted.defects.iter().map(|(feature, _)| *feature)).max();
+    let count = imported.noted.ids.len();
+    match greatest.filter(|number| count > 0 && *number >= count) {
+        Some(number) => {
+            let features = counted(count, "feature");
+            Err(Error::OtherLayer(format!("theirs has a feature {number}, and this one has {features}")))
+        }
+        None => Ok(()),
+    }
 }
 
 pub(crate) fn size(grid: &Grid) -> Value {
@@ -276,10 +340,10 @@ fn report(
     violations.truncate(list);
     let (is_valid, bounds) = (outcome.is_valid(), outcome.bounds().filter(|_| outcome.is_valid()));
     let found = outcome.counts;
-    let of_coverage = if asked.coverage { coverage.total() } else { 0 };
-    let is_coverage = of_coverage == 0 && (!asked.coverage || coverage.not_checked().is_none());
+    // A rule that cannot be checked is not known to hold.
+    let is_checked = !asked.coverage || coverage.not_checked().is_none();
     Ok(AuditReport {
-        valid: is_valid && is_coverage,
+        valid: is_valid && is_checked,
         json: JsonForm { counts: to_value(found)?, bounds, ..JsonForm::default() },
         counts: counts(&found),
         rules,

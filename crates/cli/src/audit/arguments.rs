@@ -1,12 +1,10 @@
 //! The arguments of `twinedge audit`.
 
-use super::destination;
+use super::report::Report;
 use crate::input::MapFile;
 use std::path::PathBuf;
 use twinedge_osm::TagFilter;
-use twinedge_report::{
-    Accepted, CoverageOptions, Edges, Measured, MeshOptions, Options, ParentColumn, positive, whole,
-};
+use twinedge_report::{Accepted, CoverageOptions, Edges, Measured, MeshOptions, Options, ParentColumn, positive};
 
 /// Check a map (GeoJSON, TopoJSON, WKT, WKB, Shapefile, GeoPackage, GeoParquet, FlatGeobuf) or a mesh (OBJ, OFF, PLY, STL) for everything that can be wrong.
 ///
@@ -49,30 +47,7 @@ pub(crate) struct Audit {
     pub(super) map: MapFile,
 
     #[command(flatten)]
-    pub(super) destination: destination::Arguments,
-
-    /// Greatest number of violations to list, and of findings of each rule C1 … C7; all are counted. Default: 1000, and in the text 3
-    /// findings of each of C1 … C7.
-    #[arg(long, value_name = "N", value_parser = whole, allow_negative_numbers = true)]
-    pub(super) list: Option<usize>,
-
-    /// Print the usual cause and the remedy of each kind of violation or finding. In JSON these are the keys `cause` and
-    /// `remedy`. For a topology of PostGIS: the SQL that shows the rows, and the SQL that fixes faults with a single fix (key `sql`).
-    #[arg(long)]
-    pub(super) explain: bool,
-
-    /// Accept the findings of C1 … C7 and X1 … X6 that are listed in this file, as long as they do not grow: with --coverage they break nothing, and neither do
-    /// violations that touch no other finding. The report says which of them no longer occur. `--accept-all` writes such a file.
-    #[arg(long, value_name = "FILE")]
-    pub(super) accept: Option<PathBuf>,
-
-    /// Write all findings of C1 … C7 and X1 … X6 to this file, as accepted ones. Those that the file of --accept has keep their reason and date.
-    #[arg(long, value_name = "FILE")]
-    pub(super) accept_all: Option<PathBuf>,
-
-    /// The reason that --accept-all writes.
-    #[arg(long, value_name = "TEXT", requires = "accept_all", default_value = "accepted as it is")]
-    pub(super) reason: String,
+    pub(super) report: Report,
 
     /// Give up after this number of seconds: the verdict is then `unknown`, and the exit status 1. The report says so; a layer or a page is
     /// not written.
@@ -138,19 +113,16 @@ pub(crate) struct Audit {
 }
 
 impl Audit {
-    /// The options; with lists of accepted findings, all findings are listed.
     pub(super) fn options(&self, accepted: Option<Accepted>) -> Options {
-        let is_all = self.accept.is_some() || self.accept_all.is_some();
-        Options {
-            list: if is_all { Some(usize::MAX) } else { self.list },
-            accepted,
+        let options = Options {
             parent_column: self.parent_column.clone(),
-            explain: self.explain,
             map: self.map.options.clone(),
             coverage: self.coverage.clone(),
             measured: self.measured,
             edges: self.edges,
             mesh: self.mesh.clone(),
-        }
+            ..Options::default()
+        };
+        self.report.options(accepted, options)
     }
 }

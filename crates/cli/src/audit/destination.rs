@@ -10,7 +10,7 @@ use twinedge_report::Audited;
 
 /// The format of a report.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum ReportFormat {
+pub(crate) enum ReportFormat {
     /// Text, coloured on a terminal.
     Text,
     /// One JSON object.
@@ -54,36 +54,42 @@ impl Arguments {
     ///
     /// # Errors
     /// [`Failure`], if the output's extension names no format and no format is given.
-    pub(super) fn destination<'a>(&'a self, input: Option<&'a Path>) -> Result<Destination<'a>, Failure> {
+    pub(super) fn destination<'a>(
+        &'a self,
+        inputs: impl IntoIterator<Item = &'a Path>,
+    ) -> Result<Destination<'a>, Failure> {
         let path = self.output.as_deref().filter(|path| *path != Path::new("-"));
         let format = match self.format {
             Some(format) => format,
             None => format_of(path, &EXTENSIONS)?.unwrap_or(ReportFormat::Text),
         };
-        Ok(Destination { format, path, input })
+        Ok(Destination { format, path, inputs: inputs.into_iter().collect() })
     }
 }
 
-#[derive(Clone, Copy)]
-pub(super) struct Destination<'a> {
-    pub(super) format: ReportFormat,
+pub(crate) struct Destination<'a> {
+    pub(crate) format: ReportFormat,
     path: Option<&'a Path>,
-    input: Option<&'a Path>,
+    inputs: Vec<&'a Path>,
 }
 
 impl Destination<'_> {
     pub(super) fn text(&self, text: &str) -> Result<(), Failure> {
         match self.path {
             None => print(text),
-            Some(path) => write_file(path, self.input, strip_str(text).to_string().as_bytes()),
+            Some(path) => write_file(path, self.inputs(), strip_str(text).to_string().as_bytes()),
         }
     }
 
     pub(super) fn bytes(&self, bytes: &[u8]) -> Result<(), Failure> {
         match self.path {
             None => print_bytes(bytes),
-            Some(path) => write_file(path, self.input, bytes),
+            Some(path) => write_file(path, self.inputs(), bytes),
         }
+    }
+
+    pub(super) fn inputs(&self) -> impl Iterator<Item = &Path> {
+        self.inputs.iter().copied()
     }
 
     /// Returns the path of the output file, if there is one.

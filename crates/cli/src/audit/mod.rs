@@ -4,26 +4,26 @@ mod arguments;
 mod by_index;
 mod destination;
 mod options;
+mod report;
 mod timeout;
 
 pub(crate) use arguments::Audit;
+pub(crate) use destination::ReportFormat;
+pub(crate) use report::Report;
 
 use crate::input::open;
 use crate::output::{Failure, Verdict, named, plain};
-use crate::output_file::write_file;
 use crate::progress::busy;
 use by_index::shelf_of;
-use destination::{ReportFormat, write};
+use destination::write;
 use std::fs::File;
 use std::io::BufReader;
-use std::path::Path;
 use std::time::Instant;
 use timeout::Claim;
 use twinedge::validate::Collect;
 use twinedge_osm::{Boundaries, TagFilter};
 use twinedge_report::{
-    Accepted, Audited, Division, Input, InputKind, Judged, OfReader, Options, audit, audit_against, audit_in_tiles,
-    audit_layer,
+    Audited, Division, Input, InputKind, Judged, OfReader, Options, audit, audit_against, audit_in_tiles, audit_layer,
 };
 
 impl Audit {
@@ -40,10 +40,9 @@ impl Audit {
             Some(_) => InputKind::Map,
             None => InputKind::of(self.postgis, self.arcs, &mut input).map_err(named(&name))?,
         };
-        let to = self.destination.destination(self.map.path())?;
+        let to = self.report.destination(self.map.path())?;
         self.refuse_options(kind, &to, &input)?;
-        let accepted = self.accept.as_deref().map(accepted).transpose()?;
-        let options = self.options(accepted.clone());
+        let options = self.options(self.report.accepted()?);
         let mut audited = match &self.boundaries {
             Some(tags) => self.of_boundaries(tags, &name, &options)?,
             None => self.of_input(input, kind, &options)?,
@@ -60,13 +59,7 @@ impl Audit {
         }
         audited.took(start.elapsed().as_secs_f64() * 1000.0);
         claim.take();
-        if let Some(path) = &self.accept_all {
-            let today = chrono::Utc::now().date_naive().to_string();
-            let all = audited.accept_all(accepted.as_ref(), &self.reason, &today).map_err(named(&name))?;
-            write_file(path, self.map.path(), &all)?;
-        }
-        write(&audited, &to)?;
-        Ok(if audited.is_valid() { Verdict::Sound } else { Verdict::Wrong })
+        self.report.write(&audited, &options, &name, &to)
     }
 
     fn of_input(&self, input: Input, kind: InputKind, options: &Options) -> Result<Audited, Failure> {
@@ -104,7 +97,7 @@ impl Audit {
         let name = self.map.path().map_or_else(|| "standard input".to_owned(), |path| path.display().to_string());
         let seconds = self.timeout.unwrap_or_default();
         let why = format!("time was up after {seconds} s");
-        let to = self.destination.destination(self.map.path())?;
+        let to = self.report.destination(self.map.path())?;
         if matches!(to.format, ReportFormat::Geojson | ReportFormat::Html) {
             eprintln!("twinedge: {}: unknown: {why}; nothing is written", plain(&name));
         } else {
@@ -112,10 +105,4 @@ impl Audit {
         }
         Ok(Verdict::Wrong)
     }
-}
-
-fn accepted(path: &Path) -> Result<Accepted, Failure> {
-    let name = path.display().to_string();
-    let text = std::fs::read_to_string(path).map_err(named(&name))?;
-    Accepted::read(&text).map_err(named(&name))
 }

@@ -41,11 +41,10 @@ impl Options {
         match self {
             Self::Snap => asked.map.options.snap.is_some(),
             Self::Coverage => {
-                let of_lists = asked.accept.is_some() || asked.accept_all.is_some();
                 asked.coverage != CoverageOptions::default()
                     || asked.measured.geodesic
                     || asked.edges.is_some()
-                    || of_lists
+                    || asked.report.has_lists()
             }
             Self::Mesh => asked.mesh != MeshOptions::default(),
             Self::Page => to.format == ReportFormat::Html,

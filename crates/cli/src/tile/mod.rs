@@ -15,7 +15,7 @@ use twinedge_geometry::Point;
 use twinedge_layers::io::ReadSummary;
 use twinedge_layers::{Amount, Crs, Format, Indexed};
 use twinedge_report::words::grouped;
-use twinedge_report::{Error, Imported, InMemory, Judged, Keep, LimitOptions, refuse_edges};
+use twinedge_report::{Error, Imported, Judged, Keep, LimitOptions, refuse_edges};
 
 /// Make the summary of one tile of a map.
 ///
@@ -127,11 +127,15 @@ impl Tile {
             }
             (by_windows(&mut file, &asked).map_err(named(&name))?, header.crs, Some(file.amount()))
         } else {
-            let mut shelf = InMemory::default();
-            let imported = Imported::features(input, &self.map.options, Keep::default(), &mut shelf);
+            let mut features = Vec::new();
+            let mut put = |feature| {
+                features.push(feature);
+                Ok(())
+            };
+            let imported = Imported::features(input, &self.map.options, Keep::default(), &mut put);
             let Imported { edges, crs, noted, .. } = imported.map_err(named(&name))?;
             refuse(edges.as_deref(), crs.as_ref(), noted.corners())?;
-            let portion = of_whole(shelf.features(), noted.corners(), &asked).map_err(named(&name))?;
+            let portion = of_whole(&features, noted.corners(), &asked).map_err(named(&name))?;
             (portion, crs, None)
         };
         if self.verbose {

@@ -205,9 +205,9 @@ fn tiles_in_memory_and_on_disk_clean_as_the_whole() {
     };
     let (whole, _) = run("");
     assert_eq!((whole.0, whole.1.as_array().unwrap().len()), (Some(0), 2));
-    for (words, columns) in [("--tiles 1", 1), ("--tiles 3", 3), ("--memory 1G", 1), ("--memory 300K", 2)] {
+    for (words, count) in [("--tiles 1", 1), ("--tiles 3", 9), ("--memory 1G", 1), ("--memory 300K", 3)] {
         let (by_tiles, tiles) = run(words);
-        has(&tiles, &json!({"neighbourhoods": 2, "not_cleaned": [], "columns": columns}));
+        has(&tiles, &json!({"neighbourhoods": 2, "not_cleaned": [], "count": count}));
         assert!(by_tiles == whole, "{words}: {by_tiles:?} {whole:?}");
     }
 }

@@ -17,5 +17,6 @@ mod lists;
 mod query;
 mod readme;
 mod shapes;
+mod sum;
 mod tile;
 mod tile_windows;

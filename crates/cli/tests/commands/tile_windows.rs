@@ -38,7 +38,7 @@ fn the_summary_of_a_tile_has_the_same_bytes_whether_all_was_read_or_its_window()
     for name in files {
         folder.ok(&format!("convert {} -o {name} --lossy", crossing()));
     }
-    for at in ["0,0", "1,0", "0,1", "1,1"] {
+    for at in ["0", "1", "2", "3"] {
         let said = tile(&folder, &crossing(), "2x2", at).unwrap();
         assert!(said.contains("the whole file was read"), "{said}");
         let whole = folder.read(at);
@@ -55,7 +55,7 @@ fn tiles_read_what_lies_around_them_and_add_up_to_the_audit() {
     let folder = squares();
     let (_, whole) = folder.json("audit squares.wkt --format json");
     assert!(whole["coverage"]["overlaps"].as_u64() > Some(10));
-    let all = ["0,0", "1,0", "2,0", "0,1", "1,1", "2,1", "0,2", "1,2", "2,2"];
+    let all = ["0", "1", "2", "3", "4", "5", "6", "7", "8"];
     for at in all {
         let said = tile(&folder, "squares.fgb", "3x3", at).unwrap();
         // Eight squares each way, and the squares around them.
@@ -72,14 +72,14 @@ fn tiles_read_what_lies_around_them_and_add_up_to_the_audit() {
     assert_eq!((status, &found["counts"]), (Some(1), &whole["counts"]));
 
     // The error names a tile made without cuts, and a tile whose cuts differ from its neighbours' cuts.
-    let saved = as_json(&folder, "1,1");
+    let saved = as_json(&folder, "4");
     for (cut, why) in [
-        (Value::Null, "borders cross, and tile (1,1) was made without cuts"),
-        (saved["summary"].clone(), "borders cross, and tile (1,1): edges still meet elsewhere than at vertices"),
+        (Value::Null, "borders cross, and tile 4 was made without cuts"),
+        (saved["summary"].clone(), "borders cross, and tile 4: edges still meet elsewhere than at vertices"),
     ] {
         let mut saved = saved.clone();
         saved["cut"] = cut;
-        write_json(&folder, "1,1", saved);
+        write_json(&folder, "4", saved);
         let (status, found) = sum();
         let said = found["coverage"]["not_checked"].as_str().unwrap();
         assert!(status == Some(1) && said.starts_with(why), "{said}");
@@ -91,8 +91,8 @@ fn a_box_that_is_smaller_than_its_feature_is_an_error_in_the_tile_where_it_shows
     let folder = squares();
     folder.transcript(
         "
-tile squares.fgb --grid 3x1 --tile 3,0 -o x => 2 the grid has no tile 3,0
-tile squares.fgb --grid 3x1 --tile 0,0 -o x --layer other => 2 there is no layer \"other\"
+tile squares.fgb --grid 3x1 --tile 3 -o x => 2 the grid has no tile 3
+tile squares.fgb --grid 3x1 --tile 0 -o x --layer other => 2 there is no layer \"other\"
 ",
     );
     let mut bytes = folder.read("squares.fgb");
@@ -103,7 +103,7 @@ tile squares.fgb --grid 3x1 --tile 0,0 -o x --layer other => 2 there is no layer
     bytes[right - 16..right - 8].copy_from_slice(&2.0_f64.to_le_bytes());
     bytes[right..right + 8].copy_from_slice(&3.0_f64.to_le_bytes());
     folder.write("squares.fgb", bytes);
-    let made = ["0,0", "1,0", "2,0"].map(|at| tile(&folder, "squares.fgb", "3x1", at));
+    let made = ["0", "1", "2"].map(|at| tile(&folder, "squares.fgb", "3x1", at));
     let error = made[0].as_ref().unwrap_err();
     assert!(error.contains("FlatGeobuf: feature 12: it reaches out of the box"), "{error}");
     assert!(made[1].is_ok() && made[2].is_ok(), "{made:?}");
@@ -123,7 +123,8 @@ fn an_audit_by_tiles_reads_files_with_boxes_where_they_are_and_says_the_same() {
             return Err(ran.err);
         }
         let mut report: Value = serde_json::from_str(&ran.out).unwrap();
-        for key in ["elapsed_ms", "input", "judged"] {
+        assert!(report["tiles"]["count"].as_u64() > Some(1), "{arguments}");
+        for key in ["elapsed_ms", "input", "judged", "tiles"] {
             report[key] = Value::Null;
         }
         Ok(report)
@@ -131,10 +132,8 @@ fn an_audit_by_tiles_reads_files_with_boxes_where_they_are_and_says_the_same() {
     for (of, memory) in [("world", "12M"), ("squares", "2M")] {
         for words in ["--tiles 3", &format!("--memory {memory}")] {
             let by_index = without_copy(&format!("{of}.fgb {words}")).unwrap();
-            let columns = &by_index["tiles"]["columns"];
-            assert!(columns.as_u64() > Some(1), "{words}");
             // A pipe is read once.
-            let piped = without_copy(&format!("/dev/stdin --tiles {columns} < {of}.fgb"));
+            let piped = without_copy(&format!("/dev/stdin --tiles 3 < {of}.fgb"));
             assert_eq!(by_index, piped.unwrap(), "{of} {words}");
             let of_parquet = without_copy(&format!("{of}.parquet {words}")).unwrap();
             assert_eq!(of_parquet["counts"], by_index["counts"], "{of} {words}");
@@ -146,7 +145,7 @@ fn an_audit_by_tiles_reads_files_with_boxes_where_they_are_and_says_the_same() {
     let piped = without_copy("/dev/stdin --memory 200K < squares.wkt");
     assert!(piped.as_ref().is_err_and(|said| said.contains("--memory: No such file")), "{piped:?}");
     // A tile of a pipe is that of the file.
-    folder.ok("tile squares.wkt --grid 1x1 --tile 0,0 -o of_file");
-    folder.ok("tile /dev/stdin --grid 1x1 --tile 0,0 -o of_pipe < squares.wkt");
+    folder.ok("tile squares.wkt --grid 1x1 --tile 0 -o of_file");
+    folder.ok("tile /dev/stdin --grid 1x1 --tile 0 -o of_pipe < squares.wkt");
     assert!(folder.read("of_pipe") == folder.read("of_file"));
 }

@@ -169,7 +169,8 @@ impl Cuts {
         let near = grid.bounds(tile).grown(margin);
         let Bounds { mut low, mut high } = near;
         let all = pieces.into_iter().flat_map(Piece::chains).flat_map(|chain| edges(chain)).map(in_order);
-        for [a, b] in all.filter(|ends| near.meets(*ends)) {
+        let is_near = |ends: &Ends| near.meets([ends[0], ends[1]]);
+        for [a, b] in all.filter(is_near) {
             low = Point::new(low.x.min(a.x - margin), low.y.min(a.y.min(b.y) - margin));
             high = Point::new(high.x.max(b.x + margin), high.y.max(a.y.max(b.y) + margin));
         }

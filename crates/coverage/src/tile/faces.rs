@@ -165,14 +165,16 @@ fn outside(local: &Local, start: u32) -> Option<u32> {
 
 /// Returns the polygons that contain the part beyond an edge: those that use it an odd number of times begin or end there.
 fn across(local: &Local, segment: u32, covers: &[u32]) -> Vec<u32> {
-    let mut beyond = covers.to_vec();
-    for same in local.uses(segment).chunk_by(|a, b| a == b) {
-        if local.covers[same[0] as usize].is_polygon && same.len() % 2 == 1 {
-            match beyond.binary_search(&same[0]) {
-                Ok(place) => drop(beyond.remove(place)),
-                Err(place) => beyond.insert(place, same[0]),
-            }
+    let uses = local.uses(segment).chunk_by(|a, b| a == b);
+    let odd = uses.filter(|same| local.covers[same[0] as usize].is_polygon && same.len() % 2 == 1).map(|same| same[0]);
+    // Both are in order.
+    let (mut beyond, mut covers) = (Vec::with_capacity(covers.len() + 1), covers.iter().copied().peekable());
+    for polygon in odd {
+        beyond.extend(core::iter::from_fn(|| covers.next_if(|other| *other < polygon)));
+        if covers.next_if_eq(&polygon).is_none() {
+            beyond.push(polygon);
         }
     }
+    beyond.extend(covers);
     beyond
 }

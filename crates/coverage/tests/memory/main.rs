@@ -6,7 +6,7 @@
 mod counting;
 
 use counting::{LIVE_BYTES, PEAK_BYTES};
-use twinedge_coverage::tile::{Grid, Summary};
+use twinedge_coverage::tile::{Cuts, Grid, Piece, Summary};
 use twinedge_coverage::{CoverageRule, Limits, check};
 use twinedge_map::{Builder, Feature, Shape};
 
@@ -34,8 +34,10 @@ fn of_equal(count: usize) -> [usize; 2] {
     let grid = Grid::new([0.0, 0.0], [2.0, 2.0], 2, 2).unwrap();
     let before = LIVE_BYTES.get();
     PEAK_BYTES.set(before);
-    let given = (0..count as u32).map(|number| (number, &square));
-    let tile = |tile| Summary::new(&grid, tile, given.clone(), &Limits::default()).unwrap();
+    let cuts = Cuts::new(2.0).unwrap();
+    let given: Vec<Piece> =
+        (0..count as u32).flat_map(|number| cuts.pieces(&grid, number, &square).unwrap()).collect();
+    let tile = |tile| Summary::new(&grid, tile, &given, &Limits::default()).unwrap();
     let mut tiles = grid.tiles().map(tile);
     let last = tiles.next().unwrap();
     let sum = tiles.reduce(|sum, one| sum.merge(one).unwrap()).unwrap();

@@ -8,6 +8,7 @@ mod cut;
 mod drawn;
 mod maps;
 mod portions;
+mod proportion;
 mod saved;
 mod whole;
 mod window;

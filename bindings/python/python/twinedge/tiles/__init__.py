@@ -199,9 +199,11 @@ def merge(*batches: Any) -> pa.RecordBatch:
 def finish(
     *batches: Any,
     grid: Grid | None = None,
+    labels: Sequence[Any] | None = None,
     coverage: bool = False,
     accept: Any = None,
     list: int | None = None,
+    explain: bool = False,
     crs: Any = None,
     **limits: Any,
 ) -> Report:
@@ -218,7 +220,10 @@ def finish(
         Batches or tables with summaries, in any order.
     grid : Grid, optional
         Tiles that have no summary are made here, as those of nothing. Without it, every tile must be there.
-    coverage, accept, list
+    labels : sequence, optional
+        The labels of the features, by number, as ``name`` of :func:`twinedge.audit` finds them. Ids of findings are made of labels: with the same labels,
+        they are the ids of that audit. Numbers of features must then be positions.
+    coverage, accept, list, explain
         As for :func:`twinedge.audit`.
     crs
         The reference system of that layer.
@@ -228,11 +233,14 @@ def finish(
     Raises
     ------
     ValueError
-        Tiles are missing, which are named, or as :func:`merge`.
+        Tiles are missing, which are named, or a finding is about a feature without a label, or as :func:`merge`.
     """
-    asked = _options(list, coverage=bool(coverage), **_limits(**limits), allow_empty=True)
+    asked = _options(list, coverage=bool(coverage), explain=bool(explain), **_limits(**limits), allow_empty=True)
     whole = None if grid is None else grid.state
-    return Report._told(_twinedge.finish(_bytes(batches, "summary"), whole, asked, _accepted(accept)), crs=crs)
+    names = [] if labels is None else [*labels]
+    ids = [None if label is None or label != label else str(label) for label in names]
+    told = _twinedge.finish(_bytes(batches, "summary"), whole, asked, _accepted(accept), ids)
+    return Report._told(told, {"feature": names} if names else None, crs)
 
 
 def __getattr__(name: str) -> Any:
