@@ -48,12 +48,7 @@ fn values<'c>(columns: &'c [Binary<'_>]) -> Result<Vec<Values<'c>>, Failure> {
 
 /// Returns the grid that divides a box evenly.
 #[pyfunction]
-pub(crate) fn even_grid(
-    py: Python<'_>,
-    corners: [f64; 4],
-    columns: u32,
-    rows: u32,
-) -> PyResult<Bound<'_, PyBytes>> {
+pub(crate) fn even_grid(py: Python<'_>, corners: [f64; 4], columns: u32, rows: u32) -> PyResult<Bound<'_, PyBytes>> {
     let [x0, y0, x1, y1] = corners;
     let grid = Grid::new([x0, y0], [x1, y1], columns, rows).map_err(Failure::value)?;
     Ok(PyBytes::new(py, &grid.to_bytes()))

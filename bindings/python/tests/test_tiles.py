@@ -68,7 +68,7 @@ def test_the_report_is_that_of_the_audit_with_the_same_labels(features):
     layer = {"type": "FeatureCollection", "features": [
         {"type": "Feature", "id": label, "properties": {}, "geometry": shapely.geometry.mapping(shape)} for label, shape in zip(labels, LAYER)
     ]}
-    parts = [summary(given[::-1]) for given in tiles.assigned(features, GRID).items()]
+    parts = [summary(given[::-1]) for given in divided(features, GRID).items()]
     audit = twinedge.audit(layer, coverage=True, explain=True, **LIMITS)
     report = tiles.finish(parts, labels=np.array(labels), coverage=True, explain=True, **LIMITS)
     # What is known of the input only, the size of the grid, and the time.

@@ -39,8 +39,10 @@ def test_duckdb(whole, layer, vertices):
     connection = duckdb.connect()
     relation = connection.from_arrow(layer)
     report, findings = tiles.duckdb.audit(relation, "shape", connection=connection, vertices=vertices, **LIMITS)
-    # The order of rows, and so the numbers of features, are those of the relation.
-    assert told(report) == told(whole) and [one.id for one in report.findings] == [one.id for one in whole.findings]
+    # The order of rows, and so the numbers of features, are those of the relation, and findings have the ids of one machine.
+    frame = {"type": "FeatureCollection", "features": [{"type": "Feature", "id": at, "geometry": shape.__geo_interface__} for at, shape in zip(IDS, LAYER)]}
+    named = twinedge.audit(frame, coverage=True, **LIMITS)
+    assert told(report) == told(whole) and [one.id for one in report.findings] == [one.id for one in named.findings]
     assert said(findings.to_arrow_table().to_pylist()) == EXPECTED
     # Nothing is left behind, and the findings are a relation.
     assert connection.sql("SELECT count(*) FROM duckdb_tables() WHERE table_name LIKE 'twinedge%'").fetchall() == [(0,)]
@@ -107,4 +109,6 @@ def test_a_task_that_runs_twice_makes_the_same_bytes(whole, layer):
             state = state.with_cuts([*found, *found[:1]])
         runs.append([*state.summaries(pieces)])
     assert runs[0] == runs[1]
-    assert told(state.report(runs[0], None, None)) == told(whole)
+    ids = pa.table({"feature": pa.array(range(len(IDS))), "id": IDS})
+    report, findings = state.audited(runs[0], lambda _: ids, None, None)
+    assert told(report) == told(whole) and said(findings.to_pylist()) == EXPECTED

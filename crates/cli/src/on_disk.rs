@@ -250,9 +250,8 @@ mod tests {
         shelf.file(&grid, &cuts).expect("there is room");
         in_memory.file(&grid, &cuts).expect("there is room");
         for tile in grid.tiles() {
-            let [these, those] = [shelf.of_tile(tile), in_memory.of_tile(tile)].map(|found| {
-                found.expect("it was written").into_iter().map(Cow::into_owned).collect::<Vec<_>>()
-            });
+            let [these, those] = [shelf.of_tile(tile), in_memory.of_tile(tile)]
+                .map(|found| found.expect("it was written").into_iter().map(Cow::into_owned).collect::<Vec<_>>());
             assert!(!these.is_empty() && these == those, "{tile}");
         }
     }

@@ -124,11 +124,11 @@ impl Shelf for ByIndex {
         }
         let Some((grid, cuts)) = &self.tiles else { return Ok(Vec::new()) };
         let (mut pieces, mut divided) = (Vec::new(), Ok(()));
-        self.source.read(cuts.window(grid, tile, []), &mut |number, feature| {
-            match cuts.piece_of(grid, tile, number, &feature) {
-                Ok(piece) => pieces.extend(piece.map(Cow::Owned)),
-                Err(error) => divided = Err(io::Error::other(error)),
-            }
+        self.source.read(cuts.window(grid, tile, []), &mut |number, feature| match cuts
+            .piece_of(grid, tile, number, &feature)
+        {
+            Ok(piece) => pieces.extend(piece.map(Cow::Owned)),
+            Err(error) => divided = Err(io::Error::other(error)),
         })?;
         divided?;
         Ok(pieces)

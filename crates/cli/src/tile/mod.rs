@@ -111,7 +111,8 @@ impl Tile {
         let indexed = path.map(|path| Indexed::open(path, &options)).transpose().map_err(named(&name))?.flatten();
         // Cuts depend on the extent of the map.
         let indexed = indexed.filter(|file| file.corners().is_some());
-        let asked = Asked { size: self.grid, corners: self.corners, place: Place(self.place), limits: self.limits.limits() };
+        let asked =
+            Asked { size: self.grid, corners: self.corners, place: Place(self.place), limits: self.limits.limits() };
         let refuse = |edges: Option<&str>, crs: Option<&Crs>, corners| {
             refuse_edges(edges.filter(|_| may_say), crs, corners).map_err(named(&name))
         };

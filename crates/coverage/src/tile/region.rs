@@ -133,8 +133,7 @@ impl Region {
         let mut sets: Vec<Vec<u32>> = used.map(|(set, _)| set.clone()).collect();
         sets.sort_unstable();
         sets.dedup();
-        let place: Vec<u32> =
-            self.sets.iter().map(|set| sets.binary_search(set).unwrap_or_default() as u32).collect();
+        let place: Vec<u32> = self.sets.iter().map(|set| sets.binary_search(set).unwrap_or_default() as u32).collect();
         for edge in &mut self.edges {
             edge.sides = edge.sides.map(|set| place[set as usize]);
         }

@@ -35,8 +35,7 @@ fn of_equal(count: usize) -> [usize; 2] {
     let before = LIVE_BYTES.get();
     PEAK_BYTES.set(before);
     let cuts = Cuts::new(2.0).unwrap();
-    let given: Vec<Piece> =
-        (0..count as u32).flat_map(|number| cuts.pieces(&grid, number, &square).unwrap()).collect();
+    let given: Vec<Piece> = (0..count as u32).flat_map(|number| cuts.pieces(&grid, number, &square).unwrap()).collect();
     let tile = |tile| Summary::new(&grid, tile, &given, &Limits::default()).unwrap();
     let mut tiles = grid.tiles().map(tile);
     let last = tiles.next().unwrap();

@@ -5,7 +5,9 @@ use crate::whole::{all_pieces, grid, merged, pieces, summaries};
 use serde_json::{Value, json, to_value};
 use twinedge::validate::Rule;
 use twinedge_coverage::Limits;
-use twinedge_coverage::tile::{Cuts, FinishError, Grid, GridError, MergeError, Outcome, SeamRule, Summary, Tile, TileError};
+use twinedge_coverage::tile::{
+    Cuts, FinishError, Grid, GridError, MergeError, Outcome, SeamRule, Summary, Tile, TileError,
+};
 use twinedge_map::{BuildError, Feature, Shape};
 
 /// A cross of four parcels with an enclave, an island and a path, cut by both lines of the grid.

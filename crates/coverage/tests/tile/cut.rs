@@ -175,7 +175,11 @@ fn what_cannot_be_cut_is_refused() {
         let far_is_finite = far.is_finite();
         let far = feature([line(&[[0.0, 0.0], [far, 1.0]])]);
         let refused = cuts.pieces(&grid, 0, &far).unwrap_err();
-        let is_refused = if far_is_finite { matches!(refused, BuildError::OutOfReach { y: 1.0, .. }) } else { matches!(refused, BuildError::NotFinite { y: 1.0, .. }) };
+        let is_refused = if far_is_finite {
+            matches!(refused, BuildError::OutOfReach { y: 1.0, .. })
+        } else {
+            matches!(refused, BuildError::NotFinite { y: 1.0, .. })
+        };
         assert!(is_refused, "{refused:?}");
     }
     // Pieces of a map that reaches farther than the cuts.

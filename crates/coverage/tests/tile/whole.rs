@@ -60,7 +60,11 @@ fn corners(features: &[Feature]) -> Option<[Point; 2]> {
 }
 
 /// The pieces of all features, with their numbers.
-pub(crate) fn pieces<'f>(grid: &Grid, features: impl IntoIterator<Item = (u32, &'f Feature)>, largest: f64) -> Vec<Piece> {
+pub(crate) fn pieces<'f>(
+    grid: &Grid,
+    features: impl IntoIterator<Item = (u32, &'f Feature)>,
+    largest: f64,
+) -> Vec<Piece> {
     let cuts = Cuts::new(largest).expect("finite");
     let of = |(number, feature)| cuts.pieces(grid, number, feature).expect("in range");
     features.into_iter().flat_map(of).collect()

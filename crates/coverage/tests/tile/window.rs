@@ -44,7 +44,8 @@ fn compare(features: &[Feature], grid: &Grid) -> f64 {
         let pieces = |features: &[(u32, &Feature)]| pieces(grid, features.iter().copied(), largest);
         let plain = |features: &[(u32, &Feature)]| Summary::new(grid, tile, &pieces(features), &limits);
         assert_eq!(plain(&first), plain(&numbered), "{tile}");
-        let second = in_window(features, none.window(grid, tile, pieces(&first).iter().filter(|piece| piece.tile() == tile)));
+        let second =
+            in_window(features, none.window(grid, tile, pieces(&first).iter().filter(|piece| piece.tile() == tile)));
         let cuts = complete(none.clone(), &second, largest);
         let cut = |features: &[(u32, &Feature)], cuts| {
             Summary::cut(grid, tile, &pieces(features), &limits, cuts).expect("in range")

@@ -7,7 +7,7 @@ them, where they are, and what they are: a digest of the ids and geometries, by 
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -28,7 +28,7 @@ COLUMNS = ("id", "geometry")
 class Audited(NamedTuple):
     """The audit of a layer."""
 
-    #: The report. It knows features by numbers.
+    #: The report.
     report: Report
     #: The findings and violations with the columns of :meth:`Report.to_arrow` and ``ids``, the ids of the features: a frame of the engine.
     findings: Any
@@ -163,21 +163,20 @@ class Plan:
         """The summaries of tiles, merged. A partition has all pieces of its tiles."""
         yield merge(*audit_tiles(batches, self.grid, cuts=self.cuts, **self.limits))
 
-    def report(self, summaries: Any, accept: Any, list: int | None) -> Report:
-        """The report."""
-        return finish(summaries, grid=self.grid, coverage=True, accept=accept, list=list, **self.limits)
+    def audited(self, summaries: Any, ids_of: Callable[[set[int]], Any], accept: Any, list: int | None) -> tuple[Report, pa.Table]:
+        """The report, and its findings and violations with the ids of features.
 
+        ``ids_of`` returns the features with these numbers: a table with the columns ``feature`` and ``id``.
+        """
+        import pyarrow as pa
 
-def with_ids(report: Report, ids: Any) -> pa.Table:
-    """The findings and violations of a report, with the ids of the features: a table with the columns ``feature`` and ``id``."""
-    import pyarrow as pa
-
-    found = report.to_arrow()
-    known = dict(zip(ids["feature"].to_pylist(), ids["id"].to_pylist()))
-    lists = [[known.get(feature) for feature in features or ()] for features in found["features"].to_pylist()]
-    return found.append_column("ids", pa.array(lists, pa.list_(pa.string())))
-
-
-def mentioned(report: Report) -> set[int]:
-    """The numbers of the features that a report names."""
-    return {feature for features in report.to_arrow()["features"].to_pylist() for feature in features or ()}
+        options = {"grid": self.grid, "coverage": True, "accept": accept, "list": list, **self.limits}
+        rows = finish(summaries, **options).to_arrow()["features"].to_pylist()
+        wanted = {feature for features in rows for feature in features or ()}
+        found = ids_of(wanted)
+        known = dict(zip(found["feature"].to_pylist(), found["id"].to_pylist()))
+        # The ids of findings are made of those of their features, as on one machine.
+        report = finish(summaries, labels=[known.get(feature) for feature in range(max(wanted, default=-1) + 1)], **options)
+        table = report.to_arrow()
+        lists = [[known.get(feature) for feature in features or ()] for features in rows]
+        return report, table.append_column("ids", pa.array(lists, pa.list_(pa.string())))

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from .._columns import _by_tile
 from . import merge
-from ._engine import Audited, Plan, mentioned, survey, with_ids
+from ._engine import Audited, Plan, survey
 
 if TYPE_CHECKING:
     import pyarrow as pa
@@ -60,11 +60,13 @@ def audit(
     while not plan.is_complete():
         plan = plan.with_cuts(of_tiles.map(_searched, plan).compute())
     sums = of_tiles.map(_summed, plan).fold(merge, initial=merge())
-    report = plan.report(sums.compute(), accept, list)
-    wanted = mentioned(report)
-    ids = dask.compute(*(dask.delayed(_ids)(plan, part, at, wanted) for at, part in enumerate(rows))) if wanted else ()
-    empty = pa.table({"feature": pa.array([], pa.int64()), "id": pa.array([], pa.string())})
-    return Audited(report, with_ids(report, pa.concat_tables([empty, *ids])).to_pandas())
+
+    def ids_of(wanted: set[int]) -> pa.Table:
+        ids = dask.compute(*(dask.delayed(_ids)(plan, part, at, wanted) for at, part in enumerate(rows)))
+        return pa.concat_tables(ids)
+
+    report, findings = plan.audited(sums.compute(), ids_of, accept, list)
+    return Audited(report, findings.to_pandas())
 
 
 def _rows(part: Any, geometry: str, id: str) -> pa.Table:

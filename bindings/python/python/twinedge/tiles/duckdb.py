@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 from . import merge
-from ._engine import Audited, Plan, mentioned, survey, with_ids
+from ._engine import Audited, Plan, survey
 
 if TYPE_CHECKING:
     import pyarrow as pa
@@ -83,10 +83,12 @@ def audit(
         whole = merge()
         for tile in tiles:
             whole = merge(whole, *plan.summaries(of_tile(tile)))
-        report = plan.report(whole, accept, list)
-        features = mentioned(report)
-        ids = pa.Table.from_batches(plan.ids(read(), 0, features), pa.schema([("feature", pa.int64()), ("id", pa.string())]))
+
+        def ids_of(wanted: set[int]) -> pa.Table:
+            return pa.Table.from_batches(plan.ids(read(), 0, wanted), pa.schema([("feature", pa.int64()), ("id", pa.string())]))
+
+        report, findings = plan.audited(whole, ids_of, accept, list)
     finally:
         for one in tables:
             database.execute(f"DROP TABLE IF EXISTS {one}")
-    return Audited(report, database.from_arrow(with_ids(report, ids)))
+    return Audited(report, database.from_arrow(findings))

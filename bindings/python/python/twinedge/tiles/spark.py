@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
 from . import merge, schema
-from ._engine import Audited, Plan, Survey, mentioned, survey, with_ids
+from ._engine import Audited, Plan, Survey, survey
 
 
 def audit(
@@ -92,18 +92,18 @@ def audit(
             return bytes(sum)
 
         whole = pieces.mapInArrow(summaries, "summary binary").rdd.map(lambda row: bytes(row.summary)).treeReduce(both)
-        report = plan.report(batch(whole), accept, list)
-        wanted = mentioned(report)
 
-        def ids(batches: Iterator[pa.RecordBatch], plan: Plan = plan) -> Iterator[pa.RecordBatch]:
-            return plan.ids(batches, partition(), wanted)
+        def ids_of(wanted: set[int]) -> pa.Table:
+            def ids(batches: Iterator[pa.RecordBatch], plan: Plan = plan) -> Iterator[pa.RecordBatch]:
+                return plan.ids(batches, partition(), wanted)
 
-        named = rows.mapInArrow(ids, "feature long, id string").collect() if wanted else []
-        table = pa.table({"feature": [row.feature for row in named], "id": [row.id for row in named]})
+            named = rows.mapInArrow(ids, "feature long, id string").collect() if wanted else []
+            return pa.table({"feature": [row.feature for row in named], "id": [row.id for row in named]})
+
+        report, findings = plan.audited(batch(whole), ids_of, accept, list)
     finally:
         rows.unpersist()
         if pieces is not None:
             pieces.unpersist()
-    findings = with_ids(report, table)
     kinds = "rule string, kind string, features array<long>, x double, y double, area double, width double, length double, id string, message string"
     return Audited(report, frame.sparkSession.createDataFrame([tuple(row.values()) for row in findings.to_pylist()], kinds + ", ids array<string>"))
