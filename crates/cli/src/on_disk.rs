@@ -7,6 +7,7 @@ use std::sync::{Mutex, PoisonError};
 use twinedge_coverage::tile::{Cuts, Grid, Piece, Tile};
 use twinedge_geometry::Point;
 use twinedge_map::{Feature, Shape};
+use twinedge_report::words::{grouped, plain};
 use twinedge_report::{Division, InMemory, Shelf};
 
 /// The greatest number of bytes to collect before writing, and the part of the memory for them.
@@ -33,6 +34,18 @@ pub(crate) fn shelf_for(division: Division) -> io::Result<Box<dyn Shelf>> {
         Division::Within(bytes) => Box::new(OnDisk::new((bytes / PART).min(COLLECTED) as usize)?),
         Division::Across(_) => Box::<InMemory>::default(),
     })
+}
+
+/// Says on standard error if the program used more memory than it was given. Only Linux tells.
+pub(crate) fn tell_excess(name: &str, division: Division) {
+    let Division::Within(bytes) = division else { return };
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let peak = status.lines().find_map(|line| line.strip_prefix("VmHWM:")?.trim().strip_suffix(" kB")?.parse().ok());
+    let used: u64 = peak.unwrap_or(0) * 1024;
+    if used > bytes {
+        let [used, given] = [used, bytes].map(|bytes| grouped(bytes.div_ceil(1 << 20)));
+        eprintln!("twinedge: {}: {used} MiB of memory were used, where --memory gives {given}", plain(name));
+    }
 }
 
 impl OnDisk {

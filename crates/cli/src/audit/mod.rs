@@ -12,6 +12,7 @@ pub(crate) use destination::ReportFormat;
 pub(crate) use report::Report;
 
 use crate::input::open;
+use crate::on_disk::tell_excess;
 use crate::output::{Failure, Verdict, named, plain};
 use crate::progress::busy;
 use by_index::shelf_of;
@@ -71,7 +72,9 @@ impl Audit {
                 // A file that was unpacked is deleted after reading.
                 let path = input.path.as_deref().filter(|_| input.kept.is_none());
                 let mut shelf = shelf_of(path, input.options(), division).map_err(named("--memory"))?;
-                busy(|stage| audit_in_tiles(input, options, division, &mut *shelf, stage))
+                let audited = busy(|stage| audit_in_tiles(input, options, division, &mut *shelf, stage));
+                tell_excess(&name, division);
+                audited
             }
             None if other.is_some() => busy(|stage| audit_against(input, other, options, stage)),
             None => busy(|stage| audit(input, kind, options, stage)),

@@ -1,7 +1,7 @@
 //! `clean` for a file that is larger than memory.
 
 use super::{Clean, GapWidth};
-use crate::on_disk::shelf_for;
+use crate::on_disk::{shelf_for, tell_excess};
 use crate::output::{Failure, Verdict, named};
 use crate::progress::busy;
 use std::time::Instant;
@@ -34,6 +34,7 @@ impl Clean {
         };
         let repair = self.repair();
         let cleaned = busy(|stage| clean_in_tiles(open, &repair, division, || shelf_for(division), stage));
+        tell_excess(&name, division);
         let (mut file, tiles) = cleaned.map_err(named(&name))?;
         let written = self.output.write_with(file.format(), path, |out| file.write(out).map_err(named(&name)))?;
         let mut report = Cleaning::of_tiles(&name, &repair, &tiles);

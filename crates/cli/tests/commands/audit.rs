@@ -252,6 +252,13 @@ fn an_audit_in_time_and_on_disk_is_as_any_other() {
     assert_eq!(report("--timeout 600"), report(""));
     let ((_, few, on_disk), (_, _, in_memory)) = (report("--memory 12M"), report("--tiles 3"));
     assert!(few > Some(1) && on_disk == in_memory, "{on_disk}");
+    // More memory than was given is said to be used.
+    folder.transcript(
+        "
+audit overlap.wkt --memory 64K => 1 overlap.wkt: ++ MiB of memory were used, where --memory gives 1
+audit overlap.wkt --memory 4G => 1 G4
+",
+    );
 }
 
 /// `edges: "spherical"` of `GeoParquet` 1.1.

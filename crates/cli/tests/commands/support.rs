@@ -87,7 +87,8 @@ impl Folder {
     #[track_caller]
     pub(crate) fn json(&self, line: &str) -> (Option<i32>, Value) {
         let ran = self.run(line);
-        assert_eq!(ran.err, "", "{line}");
+        // No program is as small as the memory that makes tiles of small maps.
+        assert!(ran.err.lines().all(|said| said.contains("where --memory gives")), "{line}: {}", ran.err);
         (ran.status, serde_json::from_str(&ran.out).unwrap_or_else(|error| panic!("{line}: {error}: {ran:?}")))
     }
 

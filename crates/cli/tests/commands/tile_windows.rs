@@ -119,7 +119,7 @@ fn an_audit_by_tiles_reads_files_with_boxes_where_they_are_and_says_the_same() {
     }
     let without_copy = |arguments: &str| {
         let ran = folder.run_with(&[("TMPDIR", "/nowhere")], &format!("audit --format json {arguments}"));
-        if !ran.err.is_empty() {
+        if ran.out.is_empty() {
             return Err(ran.err);
         }
         let mut report: Value = serde_json::from_str(&ran.out).unwrap();

@@ -73,7 +73,7 @@ impl Bounds {
         if a.x > self.high.x || b.x < self.low.x || bottom > self.high.y || top < self.low.y {
             return false;
         }
-        if self.contains(a) || self.contains(b) || a.x == b.x || bottom == top {
+        if self.contains(a) || self.contains(b) {
             return true;
         }
         // The part of the box within the box around the edge.
@@ -84,6 +84,7 @@ impl Bounds {
         } else {
             [Point::new(low_x, low_y), Point::new(high_x, high_y)]
         };
+        // Of an upright or level edge, both corners lie on it.
         let [one, other] = corners.map(|corner| orientation(a, b, corner));
         one != other || one == Orientation::Collinear
     }

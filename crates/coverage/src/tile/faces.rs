@@ -54,12 +54,11 @@ impl Faces {
         }
         let mut outsides = Vec::new();
         for start in closed {
-            match outside(local, *start) {
-                Some(least) => outsides.push((least, *start)),
-                None => {
-                    faces.all.push(Face::default());
-                    faces.mark(local, *start, faces.all.len() as u32 - 1);
-                }
+            if let Some(least) = outside(local, *start) {
+                outsides.push((least, *start));
+            } else {
+                faces.all.push(Face::default());
+                faces.mark(local, *start, faces.all.len() as u32 - 1);
             }
         }
         faces.place(local, outsides);
@@ -95,12 +94,11 @@ impl Faces {
         for ((least, start), below) in outsides.into_iter().zip(local.below.of(&least)) {
             let x = local.points[least as usize].x;
             let ends = |segment: u32| local.segments[segment as usize].ends;
-            let part = match below.filter(|segment| !is_below(ends(*segment), x, bottom)) {
-                Some(segment) => self.of[2 * segment as usize],
-                None => {
-                    let is_passed = |segment: u32| bottom.is_finite() && is_left_of_ray(ends(segment), x, bottom);
-                    self.before(local.contacts[..at_bottom].partition_point(|(_, segment, _)| is_passed(*segment)))
-                }
+            let part = if let Some(segment) = below.filter(|segment| !is_below(ends(*segment), x, bottom)) {
+                self.of[2 * segment as usize]
+            } else {
+                let is_passed = |segment: u32| bottom.is_finite() && is_left_of_ray(ends(segment), x, bottom);
+                self.before(local.contacts[..at_bottom].partition_point(|(_, segment, _)| is_passed(*segment)))
             };
             self.mark(local, start, part);
         }

@@ -6,11 +6,14 @@ use core::fmt;
 use core::ops::Range;
 use std::sync::Arc;
 use thiserror::Error;
-use twinedge_geometry::Point;
 use twinedge_geometry::predicates::in_range;
+use twinedge_geometry::{Point, threads};
 
 /// The greatest number of tiles.
 const MOST: u32 = 1 << 20;
+
+/// The greatest number of lines around each other. Those of a sample halve it, two by two.
+const DEEPEST: usize = 100;
 
 /// A division of the plane into half-open boxes, the tiles.
 ///
@@ -84,7 +87,7 @@ pub enum GridError {
     /// There are no tiles, or more than 1,048,576 of them.
     #[error("a grid has 1 to 1,048,576 tiles")]
     Size,
-    /// Two lines coincide, or a line is out of the range in which predicates are exact.
+    /// Two lines coincide, lines are nested too deeply, or a line is out of the range in which predicates are exact.
     #[error("the lines of the grid are not distinct, or out of range")]
     Lines,
 }
@@ -168,8 +171,7 @@ impl Grid {
             }
             Form::Fitted(lines) => {
                 let mut lines = lines.iter();
-                let mut tiles = 0;
-                tree(&mut lines, &mut tiles, &mut nodes)?;
+                nodes = tree(&mut lines)?;
                 if lines.next().is_some() {
                     return Err(GridError::Size);
                 }
@@ -177,7 +179,7 @@ impl Grid {
         }
         let tiles = nodes.iter().filter(|node| matches!(node, Node::Tile(_))).count();
         let mut bounds = vec![Bounds::EVERYTHING; tiles];
-        place(&nodes, Bounds::EVERYTHING, 0, &mut bounds)?;
+        place(&nodes, &mut bounds)?;
         Ok(Self { form, nodes: nodes.into(), bounds: bounds.into() })
     }
 
@@ -356,7 +358,7 @@ fn parting(points: &mut [Point]) -> Option<Line> {
     if !is_wide {
         return None;
     }
-    points.sort_unstable_by(|p, q| of(is_level, p).total_cmp(&of(is_level, q)));
+    threads::sort_unstable_by(points, |p, q| of(is_level, p).total_cmp(&of(is_level, q)));
     let middle = of(is_level, &points[points.len() / 2]);
     // Some points lie below the line: where half of them are equal to the least, it is the line through the next.
     let least = of(is_level, &points[0]);
@@ -365,50 +367,44 @@ fn parting(points: &mut [Point]) -> Option<Line> {
     Some(Line { is_level, at: at + 0.0 })
 }
 
-/// Appends the nodes of the next part of the plane; tiles are numbered in order.
-fn tree<'l>(
-    lines: &mut impl Iterator<Item = &'l Option<Line>>,
-    tiles: &mut u32,
-    nodes: &mut Vec<Node>,
-) -> Result<(), GridError> {
-    // The upper parts that are still open: the nodes that they belong to.
-    let mut open = Vec::new();
+/// Returns the nodes of lines in order; tiles are numbered in order.
+fn tree<'l>(lines: &mut impl Iterator<Item = &'l Option<Line>>) -> Result<Vec<Node>, GridError> {
+    // The nodes whose upper parts are still open.
+    let (mut nodes, mut open, mut tiles) = (Vec::new(), Vec::new(), 0);
     loop {
-        match lines.next().ok_or(GridError::Size)? {
-            Some(line) => {
-                open.push(nodes.len());
-                nodes.push(Node::Divided(*line, 0));
-            }
-            None => {
-                nodes.push(Node::Tile(Tile(*tiles)));
-                *tiles += 1;
-                if *tiles > MOST {
-                    return Err(GridError::Size);
-                }
-                let Some(node) = open.pop() else { return Ok(()) };
-                let above = nodes.len();
-                if let Node::Divided(_, of) = &mut nodes[node] {
-                    *of = above;
-                }
-            }
+        if let Some(line) = lines.next().ok_or(GridError::Size)? {
+            open.push(nodes.len());
+            nodes.push(Node::Divided(*line, 0));
+            continue;
+        }
+        nodes.push(Node::Tile(Tile(tiles)));
+        tiles += 1;
+        if tiles > MOST {
+            return Err(GridError::Size);
+        }
+        let Some(node) = open.pop() else { return Ok(nodes) };
+        let next = nodes.len();
+        if let Node::Divided(_, above) = &mut nodes[node] {
+            *above = next;
         }
     }
 }
 
-/// Sets the bounds of the tiles below a node.
-fn place(nodes: &[Node], within: Bounds, node: usize, bounds: &mut [Bounds]) -> Result<(), GridError> {
-    let mut left = vec![(node, within)];
-    while let Some((node, within)) = left.pop() {
+/// Sets the bounds of the tiles.
+fn place(nodes: &[Node], bounds: &mut [Bounds]) -> Result<(), GridError> {
+    let mut left = vec![(0, Bounds::EVERYTHING, 0)];
+    while let Some((node, within, depth)) = left.pop() {
         match nodes[node] {
             Node::Tile(tile) => bounds[tile.0 as usize] = within,
             Node::Divided(line, above) => {
                 let [low, high] =
                     if line.is_level { [within.low.y, within.high.y] } else { [within.low.x, within.high.x] };
-                if !(low < line.at && line.at < high) || !in_range(Point::new(line.at, line.at)) {
+                let is_within = low < line.at && line.at < high && depth < DEEPEST;
+                if !is_within || !in_range(Point::new(line.at, line.at)) {
                     return Err(GridError::Lines);
                 }
                 let [lower, upper] = within.divided(line);
-                left.extend([(node + 1, lower), (above, upper)]);
+                left.extend([(node + 1, lower, depth + 1), (above, upper, depth + 1)]);
             }
         }
     }

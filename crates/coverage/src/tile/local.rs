@@ -8,10 +8,10 @@ use super::fault::{Crossing, CrossingKind};
 use super::piece::{Piece, edges};
 use super::side::Side;
 use twinedge::dcel::RecordKind;
-use twinedge_geometry::Point;
 use twinedge_geometry::crossing::{Clash, clashes};
 use twinedge_geometry::predicates::compare_angle;
 use twinedge_geometry::sweep::{Below, sweep_all};
+use twinedge_geometry::{Point, threads};
 use twinedge_map::BuildError;
 
 /// An edge that meets the tile. Its half-edges are numbered twice its number, from its smaller end, and that plus one.
@@ -129,10 +129,10 @@ impl Local {
                 met.push(Use { ends, sides: [entry, exit], part, place: met.len() as u32 });
             }
         }
-        met.sort_unstable_by(|a, b| compare_edges(&a.ends, &b.ends).then(a.place.cmp(&b.place)));
+        threads::sort_unstable_by(&mut met, |a, b| compare_edges(&a.ends, &b.ends).then(a.place.cmp(&b.place)));
         alone.retain(|p| bounds.contains(*p));
         let mut points: Vec<Point> = met.iter().flat_map(|one| one.ends).chain(alone).collect();
-        points.sort_unstable_by(|a, b| compare_points(*a, *b));
+        threads::sort_unstable_by(&mut points, |a, b| compare_points(*a, *b));
         points.dedup();
         let mut sides: [Vec<(u32, bool)>; 4] = Default::default();
         let (mut segments, mut ends, mut first) = (Vec::new(), Vec::new(), vec![0]);
@@ -180,7 +180,9 @@ impl Local {
             let leaving = &mut self.leaving.all[range];
             // Of edges that overlap, the first of the map comes first, as in the map.
             let place = |h: &u32| self.segments[(h >> 1) as usize].place;
-            leaving.sort_unstable_by(|a, b| compare_angle(at, head(a), head(b)).then(place(a).cmp(&place(b))));
+            threads::sort_unstable_by(leaving, |a, b| {
+                compare_angle(at, head(a), head(b)).then(place(a).cmp(&place(b)))
+            });
             // The next half-edge after one that arrives is the one clockwise of its twin.
             let Some(mut clockwise) = leaving.last().copied() else { continue };
             for h in &*leaving {

@@ -2,7 +2,7 @@
 
 use crate::shared::FAULTY;
 use crate::support::{audited, crossing, json, world};
-use serde_json::{Value, json};
+use serde_json::Value;
 
 /// Two fields whose common border has a vertex only in the west, on the line between two tiles.
 const UNMATCHED: &str = "POLYGON((0 0,2 0,2 2,2 4,0 4,0 0))\nPOLYGON((2 0,4 0,4 4,2 4,2 0))\n";
