@@ -50,7 +50,7 @@ enum Offsets<'py> {
 
 /// A column that no longer needs Python.
 pub(crate) enum Given<'c> {
-    Features(Vec<Feature>),
+    Features(Vec<Row>),
     Binary(Values<'c>),
 }
 
@@ -87,6 +87,9 @@ impl Binary<'_> {
     }
 }
 
+/// A feature, or why its geometry cannot be read.
+pub(crate) type Row = Result<Feature, String>;
+
 /// Takes columns, one after the other. Reads columns of `GeoArrow`.
 pub(crate) fn given<'c>(columns: &'c [Column<'_>]) -> Result<Vec<Given<'c>>, Failure> {
     let of_column = |column: &'c Column<'_>| match column {
@@ -97,24 +100,29 @@ pub(crate) fn given<'c>(columns: &'c [Column<'_>]) -> Result<Vec<Given<'c>>, Fai
 }
 
 /// Returns the features of all columns. Reads well-known binary.
-pub(crate) fn features(given: Vec<Given<'_>>) -> Result<Vec<Feature>, Failure> {
-    let mut features = Vec::new();
+pub(crate) fn rows(given: Vec<Given<'_>>) -> Result<Vec<Row>, Failure> {
+    let mut rows = Vec::new();
     for column in given {
         match column {
             Given::Binary(values) => {
                 for geometry in values.each() {
-                    features.push(feature(features.len(), geometry?)?);
+                    rows.push(feature(geometry?));
                 }
             }
-            Given::Features(mut found) => features.append(&mut found),
+            Given::Features(mut found) => rows.append(&mut found),
         }
     }
-    Ok(features)
+    Ok(rows)
 }
 
-fn feature(place: usize, geometry: Option<&[u8]>) -> Result<Feature, Failure> {
-    let geometry = geometry.map(geometry_of_wkb).transpose();
-    let geometry = geometry.map_err(|error| Failure::Value(format!("geometry {place}: {error}")))?;
+/// Returns the features of all columns, all of which can be read.
+pub(crate) fn features(given: Vec<Given<'_>>) -> Result<Vec<Feature>, Failure> {
+    let feature = |(place, row): (usize, Row)| row.map_err(|why| Failure::Value(format!("geometry {place}: {why}")));
+    rows(given)?.into_iter().enumerate().map(feature).collect()
+}
+
+fn feature(geometry: Option<&[u8]>) -> Row {
+    let geometry = geometry.map(geometry_of_wkb).transpose().map_err(|error| error.to_string())?;
     Ok(to_map(&LayerFeature { geometry, ..LayerFeature::default() }, &mut ReadSummary::default()))
 }
 
@@ -130,7 +138,7 @@ impl Offsets<'_> {
 }
 
 impl Native<'_> {
-    fn features(&self) -> Result<Vec<Feature>, Failure> {
+    fn features(&self) -> Result<Vec<Row>, Failure> {
         let depth = match self.kind.as_str() {
             "point" => 0,
             "linestring" | "multipoint" => 1,
@@ -147,10 +155,8 @@ impl Native<'_> {
             let shapes = if is_missing(place) { Vec::new() } else { self.shapes(place)? };
             Some(Feature { shapes, ..Feature::default() })
         };
-        let wrong = |place: usize| {
-            Failure::Value(format!("geometry {place}: its offsets are out of order, or a coordinate is not finite"))
-        };
-        (0..self.length).map(|place| feature(place).ok_or_else(|| wrong(place))).collect()
+        let wrong = || "its offsets are out of order, or a coordinate is not finite".to_owned();
+        Ok((0..self.length).map(|place| feature(place).ok_or_else(wrong)).collect())
     }
 
     /// Returns `None` if offsets are out of order, or a coordinate is not finite.

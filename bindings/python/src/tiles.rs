@@ -1,7 +1,7 @@
 //! Tiles of maps: geometries as columns of Arrow, summaries and cuts as bytes.
 
 use crate::audit::{Told, options, told};
-use crate::geometries::{Binary, Column, Values, features, given};
+use crate::geometries::{Binary, Column, Values, given, rows};
 use crate::source::Failure;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
@@ -67,7 +67,10 @@ pub(crate) fn survey<'py>(py: Python<'py>, geometries: Column<'py>) -> PyResult<
     let columns = given(&columns)?;
     let found = py.detach(|| {
         let (mut vertices, mut around, mut sample) = (0, None, Vec::new());
-        for p in features(columns)?.iter().flat_map(Feature::points) {
+        let rows = rows(columns)?;
+        // What cannot be read is a finding, and lies nowhere.
+        let known = rows.iter().flatten().filter(|feature| feature.check(0).is_ok());
+        for p in known.flat_map(Feature::points) {
             vertices += 1;
             let here = [p.x, p.y, p.x, p.y];
             around = Some(around.map_or(here, |around| joined(around, here)));
@@ -131,8 +134,16 @@ pub(crate) fn divide<'py>(
     let found = py.detach(|| {
         let (grid, cuts) = (grid(&of)?, cuts(&cut)?);
         let (mut tiles, mut ends, mut bytes) = (Vec::new(), vec![0], Vec::new());
-        for (number, feature) in numbers.into_iter().zip(features(columns)?) {
-            let pieces = cuts.pieces(&grid, number, &feature).map_err(|error| refused(error.into()))?;
+        for (number, row) in numbers.into_iter().zip(rows(columns)?) {
+            let pieces = match row.map(|feature| cuts.pieces(&grid, number, &feature)) {
+                Ok(Ok(pieces)) => pieces,
+                Ok(Err(BuildError::NotFinite { .. })) => vec![Piece::unreadable(number, "a coordinate is not finite")],
+                Ok(Err(BuildError::OutOfRange { x, y, .. })) => {
+                    vec![Piece::unreadable(number, format!("the coordinates ({x}, {y}) are out of range"))]
+                }
+                Ok(Err(error)) => return Err(refused(error.into())),
+                Err(why) => vec![Piece::unreadable(number, why)],
+            };
             for piece in pieces {
                 tiles.push(i64::from(piece.tile().0));
                 bytes.extend(piece.to_bytes());

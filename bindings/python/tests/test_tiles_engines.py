@@ -112,3 +112,31 @@ def test_a_task_that_runs_twice_makes_the_same_bytes(whole, layer):
     ids = pa.table({"feature": pa.array(range(len(IDS))), "id": IDS})
     report, findings = state.audited(runs[0], lambda _: ids, None, None)
     assert told(report) == told(whole) and said(findings.to_pylist()) == EXPECTED
+
+
+def test_rows_that_cannot_be_read_are_findings_and_none_is_lost():
+    frames, duckdb = pytest.importorskip("dask.dataframe", reason="dask is not installed"), pytest.importorskip("duckdb", reason="duckdb is not installed")
+    import dask
+    import pandas
+
+    square = shapely.box(0, 0, 1, 1).wkb
+    nan = shapely.to_wkb(shapely.LinearRing([(0, 0), (1, 0), (1, float("nan")), (0, 0)]))
+    given = {
+        "whole": square,
+        "null": None,
+        "empty": shapely.Polygon().wkb,
+        "cut short": square[:-5],
+        "not finite": nan,
+        "too large": shapely.box(0, 0, 1, 1e300).wkb,
+        "of no type": b"\x01\x63\x00\x00\x00",
+        "bow tie": shapely.Polygon([(5, 5), (6, 6), (6, 5), (5, 6)]).wkb,
+    }
+    wanted = {"cut short": "cannot be read", "not finite": "finite", "too large": "out of range", "of no type": "cannot be read", "bow tie": "Self-intersection"}
+    with dask.config.set({"dataframe.convert-string": False}):
+        of_dask = tiles.dask.audit(frames.from_pandas(pandas.DataFrame({"id": [*given], "geometry": [*given.values()]}), npartitions=3))
+    table = pa.table({"id": [*given], "geometry": pa.array([*given.values()], pa.binary())})
+    of_duckdb = tiles.duckdb.audit(duckdb.from_arrow(table))
+    for report, rows in ((of_dask.report, of_dask.findings.to_dict("records")), (of_duckdb.report, of_duckdb.findings.to_arrow_table().to_pylist())):
+        found = {row["ids"][0]: row["message"] for row in rows if row["rule"] == "C6"}
+        assert found.keys() == wanted.keys() and all(wanted[id] in message for id, message in found.items()), found
+        assert report.verdict == "invalid" and report.to_dict()["without_geometry"] == [1, 2]

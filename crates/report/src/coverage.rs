@@ -480,7 +480,9 @@ fn invalid(
     let defects_of_kind = || defects.chunk_by(|a, b| a.kind == b.kind);
     let mut reasons: Vec<String> = defects_of_kind().map(|kind| reason(&kind[0])).collect();
     if reasons.is_empty() {
-        reasons.push("a coordinate is NaN or infinite; it is left out".to_owned());
+        let unreadable = imported.noted.unreadable.get(&feature);
+        let why = unreadable.map(|why| format!("its geometry cannot be read: {}; it is left out", plain(why)));
+        reasons.push(why.unwrap_or_else(|| "a coordinate is NaN or infinite; it is left out".to_owned()));
     }
     let points = defects.iter().map(|defect| position(defect.at)).collect();
     let at = defects.first().map(|defect| defect.at);

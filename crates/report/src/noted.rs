@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::words::{counted, decimals, decimals_of, measure, plain};
-use std::collections::{BTreeSet, HashSet};
+use std::collections::{BTreeMap, BTreeSet, HashSet};
 use std::str::FromStr;
 use twinedge_coverage::{Defect, defects};
 use twinedge_geometry::Point;
@@ -79,6 +79,8 @@ pub struct Noted {
     pub defects: Vec<(usize, Vec<Defect>)>,
     /// The numbers of the features whose geometry was left out because a coordinate is not finite.
     pub(crate) not_finite: Vec<usize>,
+    /// The reasons why geometries could not be read.
+    pub(crate) unreadable: BTreeMap<usize, String>,
     /// The numbers of the features whose geometry is missing or empty.
     pub(crate) without_geometry: Vec<usize>,
     /// The number of features that have a line or ring that goes from one side of the antimeridian to the other.
@@ -107,6 +109,7 @@ impl Noted {
             values: Vec::new(),
             defects: Vec::new(),
             not_finite: Vec::new(),
+            unreadable: BTreeMap::new(),
             without_geometry: Vec::new(),
             across_antimeridian: 0,
             null: (Vec::new(), 0),
@@ -155,11 +158,7 @@ impl Noted {
             self.without_geometry.push(number);
         }
         if !has_geometry && is_finite {
-            self.null.1 += 1;
-            if self.null.0.len() < NULL {
-                let name = feature.name.as_ref().or(feature.id.as_ref()).map(|name| plain(name));
-                self.null.0.push(name.unwrap_or_else(|| format!("feature {number}")));
-            }
+            self.put_null(number, feature.name.as_deref().or(feature.id.as_deref()));
         }
         self.note_unique(number, feature, read);
         let mut crosses = false;
@@ -279,6 +278,14 @@ impl Noted {
     /// Returns true if the coordinates can be longitudes and latitudes and the file names no other reference system.
     pub(crate) fn look_like_degrees(&self, read: &ReadSummary) -> bool {
         read.other_crs == 0 && are_degrees(self.corners())
+    }
+
+    /// Counts a feature without geometry.
+    pub(crate) fn put_null(&mut self, number: usize, name: Option<&str>) {
+        self.null.1 += 1;
+        if self.null.0.len() < NULL {
+            self.null.0.push(name.map_or_else(|| format!("feature {number}"), plain));
+        }
     }
 
     /// Describes the features without geometry, with their number.

@@ -63,7 +63,7 @@ pub(crate) fn audit(
         Division::Within(bytes) => fitting(shelf, bytes)?,
     };
     let outcome = judged(&grid, corners, &asked.coverage.limits.limits(), shelf, || stage("judging the tiles"))?;
-    imported.noted.defects = numbered(&outcome.defects);
+    imported.noted.defects = invalid(&outcome);
     finished(imported, &grid, outcome, None, asked)
 }
 
@@ -124,8 +124,13 @@ pub(crate) fn judged(
     Ok(tile::audit(grid, limits, cuts, |tile| shelf.of_tile(tile))?)
 }
 
-fn numbered(defects: &[(u32, Vec<Defect>)]) -> Vec<(usize, Vec<Defect>)> {
-    defects.iter().map(|(feature, found)| (*feature as usize, found.clone())).collect()
+/// Returns the features that are invalid by the rules of the OGC, also those that could not be read.
+fn invalid(outcome: &Outcome) -> Vec<(usize, Vec<Defect>)> {
+    let unreadable = outcome.unreadable.iter().map(|(feature, _)| (*feature as usize, Vec::new()));
+    let defects = outcome.defects.iter().map(|(feature, found)| (*feature as usize, found.clone()));
+    let mut all: Vec<_> = defects.chain(unreadable).collect();
+    all.sort_by_key(|(feature, _)| *feature);
+    all
 }
 
 /// Returns a grid whose tiles each fit into `bytes`, as far as a sample of the vertices shows.
@@ -174,7 +179,8 @@ pub(crate) fn audit_portion(portion: Portion, layer: TiledLayer, asked: &Options
         TiledLayer::Read(imported) => (*imported, true),
         TiledLayer::Unread { ids, crs } => (unread(&grid, &outcome, ids, crs.map(|crs| *crs))?, false),
     };
-    imported.noted.defects = numbered(&outcome.defects);
+    imported.noted.defects = invalid(&outcome);
+    imported.noted.unreadable = outcome.unreadable.iter().map(|(number, why)| (*number as usize, why.clone())).collect();
     refuse_other(&imported, &outcome)?;
     let has_ids = !imported.noted.ids.is_empty();
     let mut found = finished(imported, &grid, outcome, left_out, asked)?;
@@ -192,6 +198,10 @@ pub(crate) fn audit_portion(portion: Portion, layer: TiledLayer, asked: &Options
 fn unread(grid: &Grid, outcome: &Outcome, ids: Vec<Option<String>>, crs: Option<Crs>) -> Result<Imported, Error> {
     let mut noted = Noted::new(None);
     noted.ids = ids;
+    for number in &outcome.without_geometry {
+        noted.put_null(*number as usize, None);
+        noted.without_geometry.push(*number as usize);
+    }
     if let Some(corners) = outcome.corners {
         noted.reach(corners, &outcome.extents);
     }

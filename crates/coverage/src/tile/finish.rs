@@ -33,6 +33,10 @@ pub struct Outcome {
     pub uncut: Option<BuildError>,
     /// The features whose shapes are invalid by the rules of the OGC (C6), by number.
     pub defects: Vec<(u32, Vec<Defect>)>,
+    /// The features without points, by number.
+    pub without_geometry: Vec<u32>,
+    /// The features whose geometries could not be read, by number, and why; they are no part of the map.
+    pub unreadable: Vec<(u32, String)>,
     /// Features of which a tile was not given its piece, or was given a piece of another feature with the same number.
     pub not_given: Vec<u32>,
     /// False if `V − E + F = 1 + C` does not hold for the sums, or for not exactly one unbounded face (T3); `None` if faces are
@@ -142,7 +146,7 @@ impl Summary {
     ///
     /// # Errors
     /// [`FinishError::Missing`].
-    pub fn finish(self) -> Result<Outcome, FinishError> {
+    pub fn finish(mut self) -> Result<Outcome, FinishError> {
         self.missing()?;
         let totals = self.totals;
         let number = |n: u64| usize::try_from(n).unwrap_or(usize::MAX);
@@ -170,6 +174,7 @@ impl Summary {
         not_given.dedup();
         let mut seams = [&self.seams[..], &self.plane_seams].concat();
         seams.sort_by(SeamFault::compare);
+        let absent = core::mem::take(&mut self.absent);
         let is_known = self.is_plane && seams.is_empty() && not_given.is_empty();
         Ok(Outcome {
             counts,
@@ -178,6 +183,8 @@ impl Summary {
             extents: self.extents,
             uncut: None,
             not_given,
+            without_geometry: absent.iter().filter(|(_, why)| why.is_none()).map(|(feature, _)| *feature).collect(),
+            unreadable: absent.into_iter().filter_map(|(feature, why)| Some((feature, why?))).collect(),
             defects: self.defects,
             crossings: self.crossings,
             uneven: self.uneven,

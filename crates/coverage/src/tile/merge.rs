@@ -109,6 +109,7 @@ fn beside(mut one: Summary, mut other: Summary) -> Summary {
     for (exponent, edges) in other.extents {
         one.count_edges(exponent, edges);
     }
+    one.absent.append(&mut other.absent);
     one.defects.append(&mut other.defects);
     one.unmatched.append(&mut other.unmatched);
     one.crossings.append(&mut other.crossings);

@@ -44,7 +44,10 @@ pub struct Piece {
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Whole {
-    pub(super) corners: [Point; 2],
+    /// The corners of the box around it; `None` if it has no points.
+    pub(super) corners: Option<[Point; 2]>,
+    /// The reason why its geometry could not be read, if it could not.
+    pub(super) unreadable: Option<String>,
     pub(super) defects: Vec<Defect>,
     /// The number of its polygons' edges by the exponent of their extent, in order.
     pub(super) extents: Vec<(u16, u64)>,
@@ -62,6 +65,14 @@ pub(super) struct Part {
 }
 
 impl Piece {
+    /// Creates the piece of a feature whose geometry cannot be read, for the first tile. The audit of the whole names the feature.
+    #[must_use]
+    pub fn unreadable(feature: u32, why: impl Into<String>) -> Self {
+        let unreadable = Some(why.into());
+        let whole = Whole { corners: None, unreadable, defects: Vec::new(), extents: Vec::new() };
+        Self { tile: Tile(0), feature, first: Tile(0), of: 1, whole: Some(whole), parts: Vec::new() }
+    }
+
     /// Returns the tile.
     #[must_use]
     pub const fn tile(&self) -> Tile {
@@ -92,7 +103,8 @@ pub(super) fn edges(chain: &[Point]) -> impl Iterator<Item = Ends> + '_ {
 
 impl Cuts {
     /// Divides a feature, which has this number in the map, into the pieces that tiles need: the edges in each tile and very near it, since
-    /// edges are bent a little where they are cut. They depend on the largest coordinate only, not on cuts that were found.
+    /// edges are bent a little where they are cut. They depend on the largest coordinate only, not on cuts that were found. The piece of a
+    /// feature without points is for the first tile.
     ///
     /// O(n log tiles) for n points, at most, plus the pieces.
     ///
@@ -104,9 +116,9 @@ impl Cuts {
     /// let square = Shape::polygon([[1.0, 1.0], [29.0, 1.0], [29.0, 29.0], [1.0, 29.0]]);
     /// let square = Feature { shapes: vec![square], ..Feature::default() };
     /// let pieces = Cuts::new(30.0)?.pieces(&grid, 7, &square)?;
-    /// // A corner, a side, a corner.
+    /// // A corner, in which the ring begins and ends, a side, a corner.
     /// let points: Vec<usize> = pieces.iter().map(|piece| piece.point_count()).collect();
-    /// assert_eq!(points, [3, 2, 3, 2, 0, 2, 3, 2, 3]);
+    /// assert_eq!(points, [4, 2, 3, 2, 0, 2, 3, 2, 3]);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
@@ -144,22 +156,25 @@ impl Cuts {
         for shape in &feature.shapes {
             division.shape(shape);
         }
-        let found = division.found;
+        let mut found = division.found;
+        if found.is_empty() {
+            found.insert(Tile(0), Vec::new());
+        }
         let (first, of) = (found.keys().next().copied().unwrap_or(Tile(0)), found.len() as u32);
         let piece = |(tile, parts)| Piece {
             tile,
             feature: number,
             first,
             of,
-            whole: if tile == first { whole(feature) } else { None },
+            whole: (tile == first).then(|| whole(feature)),
             parts,
         };
         Ok(found.into_iter().filter(|(tile, _)| is_wanted(*tile)).map(piece).collect())
     }
 }
 
-fn whole(feature: &Feature) -> Option<Whole> {
-    let corners = around(feature.points().map(unsigned))?;
+fn whole(feature: &Feature) -> Whole {
+    let corners = around(feature.points().map(unsigned));
     let mut extents: BTreeMap<u16, u64> = BTreeMap::new();
     for shape in &feature.shapes {
         let Shape::Polygon(rings) = shape else { continue };
@@ -168,7 +183,7 @@ fn whole(feature: &Feature) -> Option<Whole> {
             *extents.entry((extent.to_bits() >> (f64::MANTISSA_DIGITS - 1)) as u16).or_default() += 1;
         }
     }
-    Some(Whole { corners, defects: defects(&feature.shapes), extents: extents.into_iter().collect() })
+    Whole { corners, unreadable: None, defects: defects(&feature.shapes), extents: extents.into_iter().collect() }
 }
 
 /// A feature that is being divided.
@@ -297,8 +312,9 @@ mod saved {
                     && (part.is_polygon || !part.has_corner)
             };
             let is_whole = |whole: &Whole| {
-                let [low, high] = &whole.corners;
-                is_point(low) && is_point(high) && low.x <= high.x && low.y <= high.y
+                let is_box =
+                    |[low, high]: [Point; 2]| is_point(&low) && is_point(&high) && low.x <= high.x && low.y <= high.y;
+                whole.corners.is_none_or(is_box)
             };
             let is_piece = first <= tile && of > 0 && whole.is_some() == (first == tile);
             if is_piece && parts.iter().all(is_part) && whole.iter().all(is_whole) {

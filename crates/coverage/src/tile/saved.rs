@@ -35,6 +35,7 @@ pub(super) struct Saved {
     areas: Vec<f64>,
     claimed: Vec<Claimed>,
     extents: Vec<(u16, u64)>,
+    absent: Vec<(u32, Option<String>)>,
     defects: Vec<(u32, Vec<Defect>)>,
     unmatched: Vec<UnmatchedVertex>,
     is_plane: bool,
@@ -62,7 +63,7 @@ impl TryFrom<Saved> for Summary {
     fn try_from(saved: Saved) -> Result<Self, SavedError> {
         let Saved { grid, limits, tiles, corners, totals, borders, faces, components, cycles, regions, closed, .. } =
             saved;
-        let Saved { slivers, lengths, areas, claimed, extents, defects, unmatched, .. } = saved;
+        let Saved { slivers, lengths, areas, claimed, extents, absent, defects, unmatched, .. } = saved;
         let Saved { is_plane, crossings, uneven, seams, plane_seams, .. } = saved;
         let rise = |tiles: &[Tile]| tiles.windows(2).all(|pair| pair[0] < pair[1]);
         if !rise(&tiles) || !tiles.iter().all(|tile| grid.has(*tile)) {
@@ -143,6 +144,7 @@ impl TryFrom<Saved> for Summary {
             areas,
             claimed,
             extents,
+            absent,
             defects,
             unmatched,
             is_plane,

@@ -44,6 +44,8 @@ pub struct Summary {
     pub(super) claimed: Vec<Claimed>,
     /// The [`Outcome`](super::Outcome)'s extents, for the features of which its tiles are the first.
     pub(super) extents: Vec<(u16, u64)>,
+    /// The features without points, and the reason if a geometry could not be read.
+    pub(super) absent: Vec<(u32, Option<String>)>,
     /// The features whose shapes are invalid by the rules of the OGC (C6).
     pub(super) defects: Vec<(u32, Vec<Defect>)>,
     /// The unmatched vertices (C7), if edges were cut.
@@ -231,6 +233,7 @@ impl Summary {
             areas: Vec::new(),
             claimed: Vec::new(),
             extents: Vec::new(),
+            absent: Vec::new(),
             defects: Vec::new(),
             unmatched: Vec::new(),
             is_plane: true,
@@ -333,6 +336,7 @@ impl Summary {
         self.closed.sort_by(Region::compare);
         self.slivers.sort_by(Sliver::compare);
         add_up(&mut self.claimed);
+        self.absent.sort();
         self.defects.sort_by_key(|(feature, _)| *feature);
         self.unmatched.sort_by(compare_unmatched);
         self.tiles.sort_unstable();

@@ -37,7 +37,10 @@ impl Summary {
         let mut summary = Self::of_pieces(grid, tile, limits, &pieces);
         for piece in &pieces {
             let Some(whole) = &piece.whole else { continue };
-            summary.corners = around(summary.corners.into_iter().flatten().chain(whole.corners));
+            summary.corners = around([summary.corners, whole.corners].into_iter().flatten().flatten());
+            if whole.corners.is_none() {
+                summary.absent.push((piece.feature, whole.unreadable.clone()));
+            }
             if !whole.defects.is_empty() {
                 summary.defects.push((piece.feature, whole.defects.clone()));
             }
