@@ -28,7 +28,6 @@ from typing import Any
 import pyarrow as pa
 import pyarrow.dataset as ds
 import shapely
-from pyspark import StorageLevel
 from pyspark.sql import DataFrame, SparkSession
 from pyspark.sql import functions as f
 
@@ -109,31 +108,8 @@ def layer(spark: SparkSession, folder: Path) -> tuple[DataFrame, tuple[float, ..
     return frame.select(f.col("id").cast("long").alias("feature"), "geometry"), tuple(box)
 
 
-def audit(spark: SparkSession, folder: Path, side: int) -> twinedge.Report:
-    features, box = layer(spark, folder)
-    grid, cuts = tiles.Grid(box, side, side), tiles.Cuts(box)
-
-    def assign(batches: Iterator[pa.RecordBatch], cuts: tiles.Cuts = cuts) -> Iterator[pa.RecordBatch]:
-        return tiles.assign(batches, grid, cuts)
-
-    assigned = features.mapInArrow(assign, "tile long, feature long, geometry binary").repartition(len(grid), "tile").persist(StorageLevel.DISK_ONLY)
-    while cuts.tiles(grid):
-
-        def search(batches: Iterator[pa.RecordBatch], cuts: tiles.Cuts = cuts) -> Iterator[pa.RecordBatch]:
-            return cuts.search_tiles(batches, grid)
-
-        cuts = cuts.take(assigned.mapInArrow(search, "found binary").toArrow())
-
-    def judge(batches: Iterator[pa.RecordBatch]) -> Iterator[pa.RecordBatch]:
-        return tiles.audit_tiles(batches, grid, cuts=cuts, **LIMITS)
-
-    def batch(row: Any) -> pa.RecordBatch:
-        return pa.RecordBatch.from_pylist([{"summary": bytes(row.summary)}], tiles.schema())
-
-    summaries = assigned.mapInArrow(judge, "summary binary").rdd.map(batch)
-    report = tiles.finish(summaries.treeReduce(tiles.merge), grid=grid, **LIMITS)
-    assigned.unpersist()
-    return report
+def audit(spark: SparkSession, folder: Path) -> twinedge.Report:
+    return tiles.spark.audit(spark.read.parquet(str(folder)), **LIMITS).report
 
 
 def overlay(spark: SparkSession, folders: list[Path], side: int, to: Path) -> None:
@@ -154,9 +130,8 @@ def overlay(spark: SparkSession, folders: list[Path], side: int, to: Path) -> No
 
 
 def said(report: dict[str, Any]) -> tuple[Any, ...]:
-    """What an audit says, apart from the numbers of records."""
-    findings = sorted((one["rule"], *(feature["number"] for feature in one["features"])) for one in report["coverage"]["findings"])
-    return report["verdict"], {name: report["counts"][name] for name in COUNTS}, findings
+    """What an audit says, apart from the numbers of records and of features."""
+    return report["verdict"], {name: report["counts"][name] for name in COUNTS}, sorted(one["id"] for one in report["coverage"]["findings"])
 
 
 def covered(path: Path) -> tuple[int, float]:
@@ -198,7 +173,7 @@ def main() -> None:
         spark = measured("start of Spark", builder.getOrCreate)
         try:
             for expected, folder, source in zip(whole, folders, asked.layers):
-                report = measured(f"audit of {source.name}, Spark", lambda folder=folder: audit(spark, folder, asked.tiles))
+                report = measured(f"audit of {source.name}, Spark", lambda folder=folder: audit(spark, folder))
                 assert said(report.to_dict()) == said(expected), source
             measured("overlay, Spark", lambda: overlay(spark, folders, asked.tiles, scratch / "pieces"))
         finally:

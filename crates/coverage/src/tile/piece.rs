@@ -28,7 +28,7 @@ use twinedge_map::{BuildError, Feature, Shape};
 /// With the feature `serde`, pieces are saved and loaded as bytes, so that each can be sent to the worker of its tile.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(try_from = "saved::Saved"))]
+#[cfg_attr(feature = "serde", serde(remote = "Self"))]
 pub struct Piece {
     pub(super) tile: Tile,
     pub(super) feature: u32,
@@ -282,46 +282,4 @@ fn chains(edges: &[Ends]) -> Vec<Vec<Point>> {
         _ => edges.iter().map(|ends| ends[0]).chain(edges.last().map(|ends| ends[1])).collect(),
     };
     edges.chunk_by(follows).map(chain).collect()
-}
-
-#[cfg(feature = "serde")]
-mod saved {
-    use super::{Part, Piece, Tile, Whole, unsigned};
-    use crate::tile::ends::compare_points;
-    use twinedge_geometry::Point;
-    use twinedge_geometry::predicates::in_range;
-
-    #[derive(serde::Deserialize)]
-    pub(super) struct Saved {
-        tile: Tile,
-        feature: u32,
-        first: Tile,
-        of: u32,
-        whole: Option<Whole>,
-        parts: Vec<Part>,
-    }
-
-    impl TryFrom<Saved> for Piece {
-        type Error = &'static str;
-
-        fn try_from(saved: Saved) -> Result<Self, &'static str> {
-            let Saved { tile, feature, first, of, whole, parts } = saved;
-            let is_point = |p: &Point| in_range(*p) && compare_points(unsigned(*p), *p).is_eq();
-            let is_part = |part: &Part| {
-                part.chains.iter().all(|chain| !chain.is_empty() && chain.iter().all(is_point))
-                    && (part.is_polygon || !part.has_corner)
-            };
-            let is_whole = |whole: &Whole| {
-                let is_box =
-                    |[low, high]: [Point; 2]| is_point(&low) && is_point(&high) && low.x <= high.x && low.y <= high.y;
-                whole.corners.is_none_or(is_box)
-            };
-            let is_piece = first <= tile && of > 0 && whole.is_some() == (first == tile);
-            if is_piece && parts.iter().all(is_part) && whole.iter().all(is_whole) {
-                Ok(Self { tile, feature, first, of, whole, parts })
-            } else {
-                Err("a piece of a feature contradicts itself, or its points are out of range")
-            }
-        }
-    }
 }

@@ -35,7 +35,7 @@ use crate::Limits;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(try_from = "super::saved::SavedPortion"))]
+#[cfg_attr(feature = "serde", serde(remote = "Self"))]
 pub struct Portion {
     pub(super) source: Source,
     pub(super) summary: Summary,

@@ -1,52 +1,23 @@
-//! Loading saved summaries: all references must be valid.
+//! Loading saved summaries, portions and pieces: all references must be valid.
 
-use super::claimed::Claimed;
-use super::cuts::Source;
-use super::ends::{Ends, compare_edges};
-use super::fault::{Crossing, SeamFault, Uneven};
-use super::grid::{Grid, Tile};
+use super::ends::{Ends, compare_edges, compare_points, unsigned};
+use super::grid::Tile;
+use super::piece::{Part, Piece, Whole};
 use super::portion::Portion;
-use super::region::{Claim, Region, Sliver};
+use super::region::{Claim, Region};
 use super::side::Side;
-use super::summary::{Border, Component, Face, MOST, Summary, Totals};
-use crate::{Defect, Limits};
+use super::summary::{Border, Component, Face, MOST, Summary};
+use serde::de::Error as _;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use thiserror::Error;
 use twinedge_geometry::Point;
 use twinedge_geometry::predicates::in_range;
-use twinedge_map::UnmatchedVertex;
 
 const EXPONENTS: u16 = 1 << 11;
 
-#[derive(serde::Deserialize)]
-pub(super) struct Saved {
-    grid: Grid,
-    limits: Limits,
-    tiles: Vec<Tile>,
-    corners: Option<[Point; 2]>,
-    totals: Totals,
-    borders: Vec<Border>,
-    faces: Vec<Face>,
-    components: Vec<Component>,
-    cycles: Vec<u32>,
-    regions: Vec<Region>,
-    closed: Vec<Region>,
-    slivers: Vec<Sliver>,
-    lengths: Vec<f64>,
-    areas: Vec<f64>,
-    claimed: Vec<Claimed>,
-    extents: Vec<(u16, u64)>,
-    absent: Vec<(u32, Option<String>)>,
-    defects: Vec<(u32, Vec<Defect>)>,
-    unmatched: Vec<UnmatchedVertex>,
-    is_plane: bool,
-    crossings: Vec<Crossing>,
-    uneven: Vec<Uneven>,
-    seams: Vec<SeamFault>,
-    plane_seams: Vec<SeamFault>,
-}
-
+/// The error of a saved value that contradicts itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
-pub(super) enum SavedError {
+enum SavedError {
     #[error("tiles or borders are out of order, or the grid does not have them")]
     Tiles,
     #[error("a border names what the summary does not have")]
@@ -57,21 +28,38 @@ pub(super) enum SavedError {
     Number,
 }
 
-impl TryFrom<Saved> for Summary {
-    type Error = SavedError;
+/// Saves a type by its fields, and checks what it loads.
+macro_rules! checked {
+    ($($of:ty),*) => {$(
+        impl Serialize for $of {
+            fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+                Self::serialize(self, to)
+            }
+        }
 
-    fn try_from(saved: Saved) -> Result<Self, SavedError> {
-        let Saved { grid, limits, tiles, corners, totals, borders, faces, components, cycles, regions, closed, .. } =
-            saved;
-        let Saved { slivers, lengths, areas, claimed, extents, absent, defects, unmatched, .. } = saved;
-        let Saved { is_plane, crossings, uneven, seams, plane_seams, .. } = saved;
+        impl<'de> Deserialize<'de> for $of {
+            fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+                let loaded = Self::deserialize(from)?;
+                loaded.check().map_err(D::Error::custom)?;
+                Ok(loaded)
+            }
+        }
+    )*};
+}
+
+checked!(Summary, Portion, Piece);
+
+impl Summary {
+    fn check(&self) -> Result<(), SavedError> {
+        let Self { grid, tiles, corners, totals, borders, faces, components, cycles, regions, closed, .. } = self;
+        let Self { claimed, extents, is_plane, .. } = self;
         let rise = |tiles: &[Tile]| tiles.windows(2).all(|pair| pair[0] < pair[1]);
-        if !rise(&tiles) || !tiles.iter().all(|tile| grid.has(*tile)) {
+        if !rise(tiles) || !tiles.iter().all(|tile| grid.has(*tile)) {
             return Err(SavedError::Tiles);
         }
         // A border exists if and only if the tile beyond it is absent.
         let mut expected: Vec<(Tile, Tile)> = Vec::new();
-        for tile in &tiles {
+        for tile in tiles {
             let beyond = Side::ALL.into_iter().flat_map(|side| grid.beyond(*tile, side));
             expected.extend(beyond.filter(|there| tiles.binary_search(there).is_err()).map(|there| (*tile, there)));
         }
@@ -81,7 +69,7 @@ impl TryFrom<Saved> for Summary {
         }
         let has = |of: usize, i: u32| (i as usize) < of;
         let is_named = |border: &Border| {
-            let count = if is_plane { border.contacts.len() + 1 } else { 0 };
+            let count = if *is_plane { border.contacts.len() + 1 } else { 0 };
             border.faces.len() == count
                 && border.faces.iter().all(|face| has(faces.len(), *face))
                 && border.contacts.iter().all(|contact| {
@@ -106,7 +94,7 @@ impl TryFrom<Saved> for Summary {
         }
         let is_exact = |ends: &Ends| ends.iter().all(|p| in_range(*p));
         let contacts = || borders.iter().flat_map(|border| &border.contacts);
-        let all = || regions.iter().chain(&closed);
+        let all = || regions.iter().chain(closed);
         let is_sorted = |Region { sets, edges, .. }: &Region| {
             edges.windows(2).all(|pair| compare_edges(&pair[0].ends, &pair[1].ends).is_lt())
                 && edges.iter().all(|edge| is_exact(&edge.ends) && edge.sides.iter().all(|set| has(sets.len(), *set)))
@@ -118,7 +106,7 @@ impl TryFrom<Saved> for Summary {
             && corners.is_none_or(|[low, high]| is_exact(&[low, high]) && low.x <= high.x && low.y <= high.y)
             && claimed.windows(2).all(|pair| pair[0].key() < pair[1].key())
             && claimed.iter().all(|one| one.of > 0 && grid.has(one.first))
-            && (0..).zip(&claimed).all(|(place, one)| one.like.is_none_or(|like| like <= place && is_first(like)));
+            && (0..).zip(claimed).all(|(place, one)| one.like.is_none_or(|like| like <= place && is_first(like)));
         if !is_in_order {
             return Err(SavedError::Order);
         }
@@ -127,51 +115,33 @@ impl TryFrom<Saved> for Summary {
         if !totals.is_in_range() || !components.iter().all(is_small) || !extents.iter().all(is_extent) {
             return Err(SavedError::Number);
         }
-        Ok(Self {
-            grid,
-            limits,
-            tiles,
-            corners,
-            totals,
-            borders,
-            faces,
-            components,
-            cycles,
-            regions,
-            closed,
-            slivers,
-            lengths,
-            areas,
-            claimed,
-            extents,
-            absent,
-            defects,
-            unmatched,
-            is_plane,
-            crossings,
-            uneven,
-            seams,
-            plane_seams,
-        })
+        Ok(())
     }
 }
 
-#[derive(serde::Deserialize)]
-pub(super) struct SavedPortion {
-    source: Source,
-    summary: Summary,
-    cut: Option<Summary>,
+impl Portion {
+    fn check(&self) -> Result<(), SavedError> {
+        let Self { summary, cut, .. } = self;
+        let is_of = |cut: &Summary| cut.tiles.iter().all(|tile| summary.tiles.binary_search(tile).is_ok());
+        let is_cut = |cut: &Summary| is_of(cut) && cut.grid == summary.grid && cut.limits == summary.limits;
+        if cut.as_ref().is_none_or(is_cut) { Ok(()) } else { Err(SavedError::Tiles) }
+    }
 }
 
-impl TryFrom<SavedPortion> for Portion {
-    type Error = SavedError;
-
-    fn try_from(SavedPortion { source, summary, cut }: SavedPortion) -> Result<Self, SavedError> {
-        let is_of = |cut: &Summary| cut.tiles.iter().all(|tile| summary.tiles.binary_search(tile).is_ok());
-        if cut.as_ref().is_none_or(|cut| is_of(cut) && cut.grid == summary.grid && cut.limits == summary.limits) {
-            Ok(Self { source, summary, cut })
-        } else {
-            Err(SavedError::Tiles)
+impl Piece {
+    fn check(&self) -> Result<(), SavedError> {
+        let is_point = |p: &Point| in_range(*p) && compare_points(unsigned(*p), *p).is_eq();
+        let is_part = |part: &Part| {
+            part.chains.iter().all(|chain| !chain.is_empty() && chain.iter().all(is_point))
+                && (part.is_polygon || !part.has_corner)
+        };
+        let is_whole = |Whole { corners, .. }: &Whole| {
+            corners.is_none_or(|[low, high]| is_point(&low) && is_point(&high) && low.x <= high.x && low.y <= high.y)
+        };
+        let is_piece = self.first <= self.tile && self.of > 0 && self.whole.is_some() == (self.first == self.tile);
+        if !is_piece {
+            return Err(SavedError::Tiles);
         }
+        if self.parts.iter().all(is_part) && self.whole.iter().all(is_whole) { Ok(()) } else { Err(SavedError::Order) }
     }
 }

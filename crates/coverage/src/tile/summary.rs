@@ -18,7 +18,7 @@ use twinedge_map::UnmatchedVertex;
 /// Equal tiles have equal summaries, independent of the order of merging.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(try_from = "super::saved::Saved"))]
+#[cfg_attr(feature = "serde", serde(remote = "Self"))]
 pub struct Summary {
     pub(super) grid: Grid,
     pub(super) limits: Limits,
