@@ -180,7 +180,8 @@ pub(crate) fn audit_portion(portion: Portion, layer: TiledLayer, asked: &Options
         TiledLayer::Unread { ids, crs } => (unread(&grid, &outcome, ids, crs.map(|crs| *crs))?, false),
     };
     imported.noted.defects = invalid(&outcome);
-    imported.noted.unreadable = outcome.unreadable.iter().map(|(number, why)| (*number as usize, why.clone())).collect();
+    imported.noted.unreadable =
+        outcome.unreadable.iter().map(|(number, why)| (*number as usize, why.clone())).collect();
     refuse_other(&imported, &outcome)?;
     let has_ids = !imported.noted.ids.is_empty();
     let mut found = finished(imported, &grid, outcome, left_out, asked)?;

@@ -11,11 +11,26 @@
 //! corner passes it on a definite side.
 
 use super::ends::{Ends, upwards};
-use super::grid::Line;
 use super::side::Side;
 use core::cmp::Ordering;
 use twinedge_geometry::Point;
 use twinedge_geometry::predicates::{Orientation, compare_lexicographic, orientation};
+
+/// A line between tiles.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub(super) struct Line {
+    /// True if the line is level, and `at` its y.
+    pub(super) is_level: bool,
+    pub(super) at: f64,
+}
+
+impl Line {
+    /// Returns true if a point lies beyond the line, or on it.
+    pub(super) fn is_passed(self, p: Point) -> bool {
+        self.at <= if self.is_level { p.y } else { p.x }
+    }
+}
 
 /// The corners of a tile, infinite where it extends to infinity.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,6 +1,6 @@
 //! Grids and their tiles.
 
-use super::bounds::Bounds;
+use super::bounds::{Bounds, Line};
 use super::side::Side;
 use core::fmt;
 use core::ops::Range;
@@ -63,14 +63,6 @@ enum Form {
     },
     /// The lines of the tree, in order of its nodes; `None` for a tile.
     Fitted(Vec<Option<Line>>),
-}
-
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub(super) struct Line {
-    /// True if the line is level, and `at` its y.
-    pub(super) is_level: bool,
-    pub(super) at: f64,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -289,13 +281,6 @@ impl Grid {
             }
         }
         found
-    }
-}
-
-impl Line {
-    /// Returns true if a point lies beyond the line, or on it.
-    pub(super) fn is_passed(self, p: Point) -> bool {
-        self.at <= if self.is_level { p.y } else { p.x }
     }
 }
 

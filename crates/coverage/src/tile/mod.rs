@@ -97,6 +97,7 @@ mod bounds;
 mod bytes;
 mod claimed;
 mod cuts;
+mod divide;
 mod ends;
 mod error;
 mod faces;
