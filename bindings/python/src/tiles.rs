@@ -147,7 +147,7 @@ pub(crate) fn divide<'py>(
             for piece in pieces {
                 tiles.push(i64::from(piece.tile().0));
                 bytes.extend(piece.to_bytes());
-                ends.push(bytes.len() as i64);
+                ends.push(i64::try_from(bytes.len()).map_err(Failure::value)?);
             }
         }
         Ok::<_, Failure>((tiles, ends, bytes))
