@@ -278,6 +278,7 @@ pub(crate) fn finish(
     asked: &str,
     accept: Option<&str>,
     ids: Vec<Option<String>>,
+    are_all: bool,
 ) -> PyResult<Told> {
     let start = Instant::now();
     let found = py.detach(|| {
@@ -296,7 +297,7 @@ pub(crate) fn finish(
             all = merged(all.into_iter().chain(missing).collect())?;
         }
         let all = all.ok_or_else(|| Failure::Value("there is no summary".to_owned()))?;
-        let mut audited = audit_portion(all, TiledLayer::Unread { ids, crs: None }, &options)?;
+        let mut audited = audit_portion(all, TiledLayer::Unread { ids, are_all, crs: None }, &options)?;
         audited.took(start.elapsed().as_secs_f64() * 1000.0);
         told(&audited, options.accepted.as_ref())
     });

@@ -74,6 +74,8 @@ pub enum TiledLayer {
     Unread {
         /// The ids of the features by number, or none: then features are known by their numbers.
         ids: Vec<Option<String>>,
+        /// True if `ids` has all features.
+        are_all: bool,
         /// The coordinate reference system, unless it is longitude and latitude on WGS 84.
         crs: Option<Box<Crs>>,
     },
@@ -175,14 +177,17 @@ pub(crate) fn audit_portion(portion: Portion, layer: TiledLayer, asked: &Options
     if outcome.counts.edges == 0 && !asked.map.allow_empty {
         return Err(Error::NoEdges);
     }
+    let are_all = !matches!(layer, TiledLayer::Unread { are_all: false, .. });
     let (mut imported, is_read) = match layer {
         TiledLayer::Read(imported) => (*imported, true),
-        TiledLayer::Unread { ids, crs } => (unread(&grid, &outcome, ids, crs.map(|crs| *crs))?, false),
+        TiledLayer::Unread { ids, crs, .. } => (unread(&grid, &outcome, ids, crs.map(|crs| *crs))?, false),
     };
     imported.noted.defects = invalid(&outcome);
     imported.noted.unreadable =
         outcome.unreadable.iter().map(|(number, why)| (*number as usize, why.clone())).collect();
-    refuse_other(&imported, &outcome)?;
+    if are_all {
+        refuse_other(&imported, &outcome)?;
+    }
     let has_ids = !imported.noted.ids.is_empty();
     let mut found = finished(imported, &grid, outcome, left_out, asked)?;
     if !is_read {
@@ -342,6 +347,8 @@ fn report(
             .iter()
             .map(|one| following(crossing(imported, one), Rule::G4, source(mismatched(one), Rule::G4))),
     );
+    let too_many = outcome.too_many();
+    violations.extend(too_many.iter().map(|one| violation(one.rule().id(), one.kind(), one.to_string(), &[])));
     violations.extend(outcome.seams.iter().map(seam));
     violations.extend(outcome.not_given.iter().map(|feature| not_given(*feature)));
     if outcome.adds_up == Some(false) && violations.is_empty() {

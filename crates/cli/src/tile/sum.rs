@@ -79,7 +79,7 @@ impl Sum {
         let judged = source.get(fact::SHA_256).cloned().zip(size).map(|(sha256, bytes)| Judged { sha256, bytes });
         let (layer, name) = match &self.of {
             Some(path) => (read(path, &source, judged.as_ref(), &options.map)?, path.display().to_string()),
-            None => (TiledLayer::Unread { ids: Vec::new(), crs: crs(&source) }, "the tiles".to_owned()),
+            None => (TiledLayer::Unread { ids: Vec::new(), are_all: true, crs: crs(&source) }, "the tiles".to_owned()),
         };
         let mut audited = audit_portion(whole, layer, &options)?;
         if let Some(judged) = judged {

@@ -19,7 +19,7 @@ use super::bounds::Bounds;
 use super::ends::{Ends, compare_edges, compare_points, in_order};
 use super::error::TileError;
 use super::grid::{Grid, Tile};
-use super::piece::{Piece, edges};
+use super::piece::{Piece, edges, of_tile};
 use core::cmp::Ordering;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::BTreeMap;
@@ -197,7 +197,7 @@ impl Cuts {
     /// cuts.
     ///
     /// # Errors
-    /// [`TileError::NoSuchTile`], and [`TileError::Build`] with [`BuildError::TooManyCuts`], or with [`BuildError::OutOfReach`]
+    /// [`TileError::NoSuchTile`], [`TileError::OtherGrid`], and [`TileError::Build`] with [`BuildError::TooManyCuts`], or with [`BuildError::OutOfReach`]
     /// if a coordinate is larger than announced.
     pub fn search<'p>(
         &self,
@@ -205,13 +205,10 @@ impl Cuts {
         tile: Tile,
         pieces: impl IntoIterator<Item = &'p Piece>,
     ) -> Result<Found, TileError> {
-        if !grid.has(tile) {
-            return Err(TileError::NoSuchTile(tile));
-        }
+        let of_tile = of_tile(grid, tile, pieces)?;
         let bounds = grid.bounds(tile);
         let near = bounds.grown(REACH * self.noding.cell());
-        let of_tile = pieces.into_iter().filter(|piece| piece.tile == tile);
-        let chains: Vec<&Vec<Point>> = of_tile.flat_map(Piece::chains).collect();
+        let chains: Vec<&Vec<Point>> = of_tile.into_iter().flat_map(Piece::chains).collect();
         let points = || chains.iter().copied().flatten().copied();
         self.check(points())?;
         let mut found = if self.rounds == 0 {

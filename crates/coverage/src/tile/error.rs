@@ -14,6 +14,9 @@ pub enum TileError {
     /// Two features have the same number, or a tile was given the piece of a feature twice.
     #[error("two features have the number {0}, or one was given twice")]
     SameNumber(u32),
+    /// A piece was divided for another grid.
+    #[error("a piece was made for another grid")]
+    OtherGrid,
     /// The cuts belong to another round or another map.
     #[error("cuts were found in another round, or are those of another map")]
     OtherCuts,

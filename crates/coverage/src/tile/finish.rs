@@ -5,7 +5,7 @@ use super::fault::{Crossing, SeamFault, Uneven};
 use super::findings::coverage;
 use super::summary::Summary;
 use crate::{Coverage, Defect};
-use twinedge::validate::{Bounds, Counts, Rule, RuleOutcome, Unchecked};
+use twinedge::validate::{Bounds, Counts, Rule, RuleOutcome, Unchecked, Violation};
 use twinedge_geometry::Point;
 use twinedge_map::BuildError;
 
@@ -81,6 +81,7 @@ impl Outcome {
         let (uneven, crossings) = (self.uneven.len(), self.crossings.len());
         let broken = [(uneven, Rule::T3), (crossings, Rule::G4)].into_iter().find(|(count, _)| *count > 0);
         let simple = vertices >= 3;
+        let over = self.too_many().len();
         Rule::ALL.iter().copied().filter_map(move |rule| {
             let (checked, violations) = match rule {
                 Rule::R1 => (links, 0),
@@ -91,7 +92,7 @@ impl Outcome {
                 Rule::F2 => (boundaries, 0),
                 Rule::T1 | Rule::T2 | Rule::G5 => (inner_boundaries, 0),
                 Rule::T3 => (inner_boundaries, uneven),
-                Rule::T4 => (usize::from(simple), 0),
+                Rule::T4 => (usize::from(simple), over),
                 Rule::G3 => (boundaries.saturating_sub(isolated), 0),
                 Rule::G4 => (edges, crossings),
                 _ => return None,
@@ -104,6 +105,16 @@ impl Outcome {
             let checked = if unchecked.is_some() { 0 } else { checked as u64 };
             Some((rule, RuleOutcome { checked, violations: violations as u64, unchecked }))
         })
+    }
+
+    /// Returns the violations of T4: more edges or faces than a simple map can have.
+    #[must_use]
+    pub fn too_many(&self) -> Vec<Violation> {
+        let Counts { vertices, edges, faces, .. } = self.counts;
+        let Some(Bounds { most_edges, most_faces }) = self.bounds() else { return Vec::new() };
+        let of_edges = (edges > most_edges).then_some(Violation::TooManyEdges { vertices, edges });
+        let of_faces = (faces > most_faces).then_some(Violation::TooManyFaces { vertices, faces });
+        of_edges.into_iter().chain(of_faces).collect()
     }
 
     /// Returns the greatest numbers of edges and faces by T4, if it applies.

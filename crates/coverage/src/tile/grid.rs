@@ -35,6 +35,8 @@ const DEEPEST: usize = 100;
 #[cfg_attr(feature = "serde", serde(try_from = "Form", into = "Form"))]
 pub struct Grid {
     form: Form,
+    /// A number by which pieces know the grid.
+    fingerprint: u64,
     /// The tree of lines: each node that is divided is followed by its lower part.
     nodes: Arc<[Node]>,
     bounds: Arc<[Bounds]>,
@@ -79,7 +81,7 @@ pub enum GridError {
     /// There are no tiles, or more than 1,048,576 of them.
     #[error("a grid has 1 to 1,048,576 tiles")]
     Size,
-    /// Two lines coincide, lines are nested too deeply, or a line is out of the range in which predicates are exact.
+    /// Two lines coincide, lines are nested too deeply, or a line or a point is out of the range in which predicates are exact.
     #[error("the lines of the grid are not distinct, or out of range")]
     Lines,
 }
@@ -144,8 +146,11 @@ impl Grid {
     /// ```
     ///
     /// # Errors
-    /// [`GridError`].
+    /// [`GridError`]: a point of the sample is out of range, or there are too many tiles.
     pub fn fitted(mut sample: Vec<Point>, most: usize) -> Result<Self, GridError> {
+        if !sample.iter().all(|p| in_range(*p)) {
+            return Err(GridError::Lines);
+        }
         let mut lines = Vec::new();
         fit(&mut sample, most.max(1), &mut lines);
         Self::of_form(Form::Fitted(lines))
@@ -157,6 +162,9 @@ impl Grid {
             Form::Even { low, high, columns, rows } => {
                 if columns.checked_mul(*rows).is_none_or(|tiles| tiles == 0 || tiles > MOST) {
                     return Err(GridError::Size);
+                }
+                if ![low, high].into_iter().all(|p| p.x.is_finite() && p.y.is_finite()) {
+                    return Err(GridError::Lines);
                 }
                 let even = Even { low: *low, high: *high, columns: *columns, rows: *rows };
                 even.divide(0..*columns, 0..*rows, &mut nodes);
@@ -172,7 +180,7 @@ impl Grid {
         let tiles = nodes.iter().filter(|node| matches!(node, Node::Tile(_))).count();
         let mut bounds = vec![Bounds::EVERYTHING; tiles];
         place(&nodes, &mut bounds)?;
-        Ok(Self { form, nodes: nodes.into(), bounds: bounds.into() })
+        Ok(Self { fingerprint: fingerprint(&bounds), form, nodes: nodes.into(), bounds: bounds.into() })
     }
 
     /// Returns the numbers of columns and rows, if tiles form some.
@@ -237,6 +245,10 @@ impl Grid {
 
     pub(super) fn bounds(&self, tile: Tile) -> Bounds {
         self.bounds[tile.0 as usize]
+    }
+
+    pub(super) const fn fingerprint(&self) -> u64 {
+        self.fingerprint
     }
 
     pub(super) fn node(&self, node: usize) -> Node {
@@ -373,6 +385,13 @@ fn tree<'l>(lines: &mut impl Iterator<Item = &'l Option<Line>>) -> Result<Vec<No
             *above = next;
         }
     }
+}
+
+/// Hashes the bounds of tiles, by FNV-1a.
+fn fingerprint(bounds: &[Bounds]) -> u64 {
+    let corners = bounds.iter().flat_map(|Bounds { low, high }| [low.x, low.y, high.x, high.y]);
+    let bytes = corners.flat_map(|x| x.to_bits().to_le_bytes());
+    bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
 }
 
 /// Sets the bounds of the tiles.

@@ -7,13 +7,19 @@ use super::local::{Local, Segment};
 use super::side::Side;
 use twinedge_geometry::Point;
 
-/// Returns the approximate area of each part of a face that does not extend to infinity: crossings of edges and the border are rounded. O(n).
-pub(super) fn areas(local: &Local, faces: &Faces) -> Vec<f64> {
-    let mut twice = vec![0.0; faces.all.len()];
+/// Returns an area that each part of a face has at least, 0 if it extends to infinity: crossings of edges and the border are rounded. O(n).
+pub(super) fn least_areas(local: &Local, faces: &Faces) -> Vec<f64> {
+    // Twice the area of each part, and a bound on the error of that, divided by the rounding of a number.
+    let mut twice = vec![(0.0, 0.0); faces.all.len()];
     let origin = local.segments.first().map_or_else(|| local.bounds.any_point(), |segment| segment.ends[0]);
     let mut add = |part: u32, p: Point, q: Point| {
-        let cross = (p.x - origin.x) * (q.y - origin.y) - (q.x - origin.x) * (p.y - origin.y);
-        twice[part as usize] += cross;
+        let (from, way) = ([p.x - origin.x, p.y - origin.y], [q.x - p.x, q.y - p.y]);
+        let size = |[x, y]: [f64; 2]| x.abs() + y.abs();
+        // Points are rounded as far as they lie from 0, and so is what follows from them.
+        let reach = size([p.x, p.y]) + size([q.x, q.y]) + size(from);
+        let (area, error) = &mut twice[part as usize];
+        *area += from[0] * way[1] - way[0] * from[1];
+        *error += reach * size(way) + reach * reach * f64::EPSILON;
     };
     for (number, segment) in (0..).zip(&local.segments) {
         let [p, q] = clipped(local, segment);
@@ -45,7 +51,8 @@ pub(super) fn areas(local: &Local, faces: &Faces) -> Vec<f64> {
             add(*part, pair[0], pair[1]);
         }
     }
-    twice.into_iter().map(|twice| twice / 2.0).collect()
+    let least = |(area, error): (f64, f64)| (area / 2.0 - 16.0 * f64::EPSILON * error).max(0.0);
+    twice.into_iter().map(least).collect()
 }
 
 /// Returns the corner at the end of a side, counter-clockwise.

@@ -1,7 +1,8 @@
 //! The pieces of a feature: what each tile needs of it.
 
 use super::ends::Ends;
-use super::grid::Tile;
+use super::error::TileError;
+use super::grid::{Grid, Tile};
 use crate::Defect;
 use twinedge_geometry::Point;
 
@@ -12,6 +13,8 @@ use twinedge_geometry::Point;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(remote = "Self"))]
 pub struct Piece {
+    /// The fingerprint of the grid; `None` for the first tile of any.
+    pub(super) grid: Option<u64>,
     pub(super) tile: Tile,
     pub(super) feature: u32,
     /// The first tile that has a piece of the feature, and the number of these tiles.
@@ -52,7 +55,7 @@ impl Piece {
     pub fn unreadable(feature: u32, why: impl Into<String>) -> Self {
         let unreadable = Some(why.into());
         let whole = Whole { corners: None, unreadable, defects: Vec::new(), extents: Vec::new() };
-        Self { tile: Tile(0), feature, first: Tile(0), of: 1, whole: Some(whole), parts: Vec::new() }
+        Self { grid: None, tile: Tile(0), feature, first: Tile(0), of: 1, whole: Some(whole), parts: Vec::new() }
     }
 
     /// Returns the tile.
@@ -81,4 +84,21 @@ impl Piece {
 /// Returns the edges of a chain, without those of no length.
 pub(super) fn edges(chain: &[Point]) -> impl Iterator<Item = Ends> + '_ {
     chain.windows(2).map(|pair| [pair[0], pair[1]]).filter(|[a, b]| a != b)
+}
+
+/// Returns the pieces of a tile.
+pub(super) fn of_tile<'p>(
+    grid: &Grid,
+    tile: Tile,
+    pieces: impl IntoIterator<Item = &'p Piece>,
+) -> Result<Vec<&'p Piece>, TileError> {
+    if !grid.has(tile) {
+        return Err(TileError::NoSuchTile(tile));
+    }
+    let is_of_grid = |piece: &&Piece| piece.grid.is_none_or(|other| other == grid.fingerprint());
+    let pieces: Vec<&Piece> = pieces.into_iter().collect();
+    if !pieces.iter().all(is_of_grid) {
+        return Err(TileError::OtherGrid);
+    }
+    Ok(pieces.into_iter().filter(|piece| piece.tile == tile).collect())
 }

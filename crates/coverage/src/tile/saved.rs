@@ -28,6 +28,15 @@ enum SavedError {
     Number,
 }
 
+/// Returns true if exponents are in order.
+fn rise(extents: &[(u16, u64)]) -> bool {
+    extents.windows(2).all(|pair| pair[0].0 < pair[1].0)
+}
+
+fn are_in_range(extents: &[(u16, u64)]) -> bool {
+    extents.iter().all(|(exponent, edges)| *exponent < EXPONENTS && *edges <= MOST)
+}
+
 /// Saves a type by its fields, and checks what it loads.
 macro_rules! checked {
     ($($of:ty),*) => {$(
@@ -53,8 +62,7 @@ impl Summary {
     fn check(&self) -> Result<(), SavedError> {
         let Self { grid, tiles, corners, totals, borders, faces, components, cycles, regions, closed, .. } = self;
         let Self { claimed, extents, is_plane, .. } = self;
-        let rise = |tiles: &[Tile]| tiles.windows(2).all(|pair| pair[0] < pair[1]);
-        if !rise(tiles) || !tiles.iter().all(|tile| grid.has(*tile)) {
+        if !tiles.windows(2).all(|pair| pair[0] < pair[1]) || !tiles.iter().all(|tile| grid.has(*tile)) {
             return Err(SavedError::Tiles);
         }
         // A border exists if and only if the tile beyond it is absent.
@@ -101,7 +109,7 @@ impl Summary {
         };
         let is_first = |place: u32| claimed.get(place as usize).is_some_and(|one| one.like == Some(place));
         let is_in_order = all().all(is_sorted)
-            && extents.windows(2).all(|pair| pair[0].0 < pair[1].0)
+            && rise(extents)
             && contacts().all(|contact| is_exact(&contact.edge))
             && corners.is_none_or(|[low, high]| is_exact(&[low, high]) && low.x <= high.x && low.y <= high.y)
             && claimed.windows(2).all(|pair| pair[0].key() < pair[1].key())
@@ -111,8 +119,7 @@ impl Summary {
             return Err(SavedError::Order);
         }
         let is_small = |one: &Component| one.vertices.max(one.edges).max(one.cycles) <= MOST;
-        let is_extent = |(exponent, edges): &(u16, u64)| *exponent < EXPONENTS && *edges <= MOST;
-        if !totals.is_in_range() || !components.iter().all(is_small) || !extents.iter().all(is_extent) {
+        if !totals.is_in_range() || !components.iter().all(is_small) || !are_in_range(extents) {
             return Err(SavedError::Number);
         }
         Ok(())
@@ -135,8 +142,11 @@ impl Piece {
             part.chains.iter().all(|chain| !chain.is_empty() && chain.iter().all(is_point))
                 && (part.is_polygon || !part.has_corner)
         };
-        let is_whole = |Whole { corners, .. }: &Whole| {
-            corners.is_none_or(|[low, high]| is_point(&low) && is_point(&high) && low.x <= high.x && low.y <= high.y)
+        let is_whole = |Whole { corners, extents, .. }: &Whole| {
+            rise(extents)
+                && are_in_range(extents)
+                && corners
+                    .is_none_or(|[low, high]| is_point(&low) && is_point(&high) && low.x <= high.x && low.y <= high.y)
         };
         let is_piece = self.first <= self.tile && self.of > 0 && self.whole.is_some() == (self.first == self.tile);
         if !is_piece {

@@ -8,9 +8,9 @@ use super::ends::around;
 use super::error::TileError;
 use super::faces::Faces;
 use super::grid::{Grid, Tile};
-use super::large::areas;
+use super::large::least_areas;
 use super::local::{Cycles, Local};
-use super::piece::Piece;
+use super::piece::{self, Piece};
 use super::region::{Claim, Region};
 use super::side::Side;
 use super::summary::{Border, Component, Contact, Joins, Summary};
@@ -32,7 +32,7 @@ impl Summary {
         pieces: impl IntoIterator<Item = &'p Piece>,
         limits: &Limits,
     ) -> Result<Self, TileError> {
-        let pieces = of_tile(grid, tile, pieces)?;
+        let pieces = sorted(grid, tile, pieces)?;
         let local = Local::new(&pieces, grid.bounds(tile), None)?;
         let mut summary = Self::of_pieces(grid, tile, limits, &pieces);
         for piece in &pieces {
@@ -69,7 +69,7 @@ impl Summary {
         limits: &Limits,
         cuts: &Cuts,
     ) -> Result<Self, TileError> {
-        let pieces = of_tile(grid, tile, pieces)?;
+        let pieces = sorted(grid, tile, pieces)?;
         cuts.check(pieces.iter().flat_map(|piece| piece.chains()).flatten().copied())?;
         let local = Local::new(&pieces, grid.bounds(tile), Some(cuts))?;
         let mut summary = Self::of_pieces(grid, tile, limits, &pieces);
@@ -91,15 +91,12 @@ impl Summary {
 }
 
 /// Returns the pieces of a tile, by their features.
-fn of_tile<'p>(
+fn sorted<'p>(
     grid: &Grid,
     tile: Tile,
     pieces: impl IntoIterator<Item = &'p Piece>,
 ) -> Result<Vec<&'p Piece>, TileError> {
-    if !grid.has(tile) {
-        return Err(TileError::NoSuchTile(tile));
-    }
-    let mut pieces: Vec<&Piece> = pieces.into_iter().filter(|piece| piece.tile == tile).collect();
+    let mut pieces = piece::of_tile(grid, tile, pieces)?;
     pieces.sort_by_key(|piece| piece.feature);
     match pieces.windows(2).find(|pair| pair[0].feature == pair[1].feature) {
         Some(pair) => Err(TileError::SameNumber(pair[0].feature)),
@@ -217,6 +214,9 @@ impl Local {
             let of_side = first..first + count;
             first += count;
             let beyond = grid.beyond(tile, side);
+            if beyond.is_empty() {
+                continue;
+            }
             // The corners between the tiles beyond, and the number of them before each contact.
             let corners: Vec<Point> = beyond.iter().skip(1).map(|tile| grid.bounds(*tile).low).collect();
             let passed = |number: usize| {
@@ -230,17 +230,23 @@ impl Local {
                 let is_passed = |corner: &Point| {
                     if side.is_upright() { !is_under(ends, line, corner.y) } else { !is_left_of(ends, corner.x, line) }
                 };
-                corners.iter().take_while(|corner| is_passed(corner)).count()
+                corners.partition_point(is_passed)
             };
             let is_reversed = matches!(side, Side::Top | Side::Left);
-            for (place, other) in beyond.into_iter().enumerate() {
-                let of_other: Vec<usize> = of_side.clone().filter(|number| passed(*number) == place).collect();
-                let from = of_other.first().copied().unwrap_or_else(|| {
-                    // No contact lies on this stretch, so one part of a face does.
-                    let is_before = |number: &usize| (passed(*number) < place) != is_reversed;
-                    of_side.start + of_side.clone().filter(is_before).count()
-                });
+            let mut of_others: Vec<Vec<usize>> = vec![Vec::new(); beyond.len()];
+            for number in of_side {
+                of_others[passed(number)].push(number);
+            }
+            // Counter-clockwise, as contacts are.
+            let mut from = first - count;
+            let mut stretches: Vec<(Tile, Vec<usize>)> = beyond.into_iter().zip(of_others).collect();
+            if is_reversed {
+                stretches.reverse();
+            }
+            for (other, of_other) in stretches {
+                // Where faces are unknown, contacts are in no order.
                 let along = from..from + of_other.len();
+                from = along.end;
                 let mut border = Border {
                     tile,
                     beyond: other,
@@ -288,9 +294,7 @@ impl Local {
             }
         }
         if let Some(limit) = summary.limits.sliver_area {
-            let areas = areas(self, faces);
-            // Twice as large, since these areas are rounded.
-            for (face, _) in all.iter().zip(areas).filter(|(_, area)| *area > 2.0 * limit) {
+            for (face, _) in all.iter().zip(least_areas(self, faces)).filter(|(_, area)| *area > 2.0 * limit) {
                 for region in &face.regions {
                     let region = &mut regions[*region as usize];
                     region.is_large = matches!(region.claim, Claim::Part(_));

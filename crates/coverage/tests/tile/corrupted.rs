@@ -288,7 +288,7 @@ fn what_cannot_be_merged_is_refused() {
     let (tile, of_grid) = (Tile(0), all_pieces(&grid, &features));
     assert_eq!(all[0].clone().merge(all[0].clone()), Err(MergeError::Twice(tile)));
     let other = Grid::new([0.0, 0.0], [1.0, 1.0], 3, 3).expect("a grid");
-    let of_other = Summary::new(&other, Tile(1), &of_grid, &limits).expect("in range");
+    let of_other = Summary::new(&other, Tile(1), &all_pieces(&other, &features), &limits).expect("in range");
     assert!(matches!(all[0].clone().merge(of_other), Err(MergeError::Different { what, .. }) if what == "the grid"));
     let by_width = Limits { gap_width: Some(1.0), ..Limits::default() };
     let of_width = Summary::new(&grid, Tile(1), &of_grid, &by_width).expect("in range");

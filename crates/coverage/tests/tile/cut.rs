@@ -190,3 +190,57 @@ fn what_cannot_be_cut_is_refused() {
     let failed = audit::<Piece, _>(&grid, &Limits::default(), cuts, |_| Err("no file"));
     assert_eq!(failed, Err(AuditError::Pieces("no file")));
 }
+
+/// A vertex in the border of a feature that overlaps there is no mismatch, and only the tile to which snapping moves it knows the overlap.
+#[test]
+fn a_vertex_that_is_moved_to_another_tile_is_judged_there() {
+    let near = 2.0 - f64::EPSILON;
+    let features =
+        [feature([area([near, 0.0], [4.0, 2.0])]), feature([Shape::polygon([[near, 1.0], [3.0, 0.5], [3.0, 1.5]])])];
+    assert!(whole_cut(&features, &Limits::default()).findings.iter().all(|one| one.rule == CoverageRule::Overlap));
+    compare(&features, &grid(&[2.0], &[]), &Limits::default(), &mut Random::new(58));
+}
+
+/// Regression: areas were rounded as far as the first edge of the tile lay away, so slivers far from it were taken for large.
+#[test]
+fn a_sliver_far_from_the_first_edge_of_its_tile_is_found() {
+    let features = [feature([area([0.0, 0.0], [1.0, 1.0])]), feature([area([1e9, 1e9], [1e9 + 0.125, 1e9 + 8.0])])];
+    let limits = Limits { gap_width: Some(0.1), sliver_area: Some(2.0), ..Limits::default() };
+    compare(&features, &Grid::everything(), &limits, &mut Random::new(59));
+    assert_eq!(whole_cut(&features, &limits).of(CoverageRule::Sliver).count(), 1);
+}
+
+/// Regression: tiles said that T4 holds whatever the counts are.
+#[test]
+fn too_many_edges_are_a_violation_of_t4() {
+    let corners = [[0.0, 0.0], [4.0, 0.0], [2.0, 3.0], [1.0, 1.0], [3.0, 1.5], [2.0, 0.5]];
+    let pairs = (0..6).flat_map(|j| (0..j).map(move |i| feature([line(&[corners[i], corners[j]])])));
+    let features: Vec<Feature> = pairs.collect();
+    compare(&features, &grid(&[2.0], &[1.0]), &Limits::default(), &mut Random::new(60));
+}
+
+/// Regression: a polygon that no tile had a piece of was not missed where pieces were made for another grid.
+#[test]
+fn pieces_of_another_grid_are_refused() {
+    let features = [feature([area([0.0, 0.0], [2.0, 2.0])])];
+    let (one, other) = (grid(&[1.0], &[]), grid(&[5.0], &[]));
+    let pieces = all_pieces(&one, &features);
+    assert_eq!(Summary::new(&other, Tile(0), &pieces, &Limits::default()).unwrap_err(), TileError::OtherGrid);
+    assert_eq!(Cuts::new(2.0).expect("finite").search(&other, Tile(0), &pieces).unwrap_err(), TileError::OtherGrid);
+    let unreadable = Piece::unreadable(1, "it is damaged");
+    let found = Summary::new(&other, Tile(0), [&unreadable], &Limits::default()).expect("it is of any grid");
+    let rest = Summary::new(&other, Tile(1), [], &Limits::default()).expect("nothing is there");
+    let outcome = found.merge(rest).expect("neighbours").finish().expect("all tiles");
+    assert_eq!(outcome.unreadable, [(1, "it is damaged".to_owned())]);
+}
+
+#[test]
+fn grids_that_no_predicate_is_exact_for_are_refused() {
+    use twinedge_coverage::tile::GridError;
+    for x in [f64::NAN, f64::INFINITY, 1e200] {
+        let sample = vec![[0.0, 0.0].into(), [1.0, 0.0].into(), [x, 0.0].into(), [x, 0.0].into()];
+        assert_eq!(Grid::fitted(sample, 1), Err(GridError::Lines), "{x}");
+    }
+    assert_eq!(Grid::new([0.0, f64::NAN], [1.0, 1.0], 1, 1), Err(GridError::Lines));
+    assert_eq!(Grid::fitted(vec![[3.0, 3.0].into(); 9], 1).map(|grid| grid.len()), Ok(1));
+}

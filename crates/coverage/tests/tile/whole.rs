@@ -202,7 +202,7 @@ fn broken(map: &PlanarMap, report: &Report, crossings: &[Crossing], uneven: &[Un
             }
             Violation::Genus { vertices, edges, cycles, .. } => components.push((vertices, edges, cycles)),
             // These follow from the crossings, and are not checked by tiles.
-            _ => assert!(matches!(violation.rule(), Rule::G2 | Rule::G3 | Rule::G5), "{violation:?}"),
+            _ => assert!(matches!(violation.rule(), Rule::T4 | Rule::G2 | Rule::G3 | Rule::G5), "{violation:?}"),
         }
     }
     for (kind, first, second) in &mut expected {

@@ -37,8 +37,8 @@ are made again after the layer was replaced are refused, where others would add 
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Iterator, Sequence
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -56,6 +56,7 @@ if TYPE_CHECKING:
     import pyarrow as pa
 
 __all__ = [
+    "Audited",
     "Cuts",
     "Grid",
     "Overlay",
@@ -70,6 +71,16 @@ __all__ = [
     "schema",
     "table",
 ]
+
+
+class Audited(NamedTuple):
+    """The audit of a layer by one call on an engine."""
+
+    #: The report.
+    report: Report
+    #: The findings and violations with the columns of :meth:`Report.to_arrow` and ``ids``, the ids of the features: a DataFrame of Spark, a relation of
+    #: DuckDB, or for Dask a DataFrame of pandas.
+    findings: Any
 
 
 def table(layer: Any) -> pa.Table:
@@ -199,7 +210,7 @@ def merge(*batches: Any) -> pa.RecordBatch:
 def finish(
     *batches: Any,
     grid: Grid | None = None,
-    labels: Sequence[Any] | None = None,
+    labels: Sequence[Any] | Mapping[int, Any] | None = None,
     coverage: bool = False,
     accept: Any = None,
     list: int | None = None,
@@ -220,9 +231,9 @@ def finish(
         Batches or tables with summaries, in any order.
     grid : Grid, optional
         Tiles that have no summary are made here, as those of nothing. Without it, every tile must be there.
-    labels : sequence, optional
-        The labels of the features, by number, as ``name`` of :func:`twinedge.audit` finds them. Ids of findings are made of labels: with the same labels,
-        they are the ids of that audit. Numbers of features must then be positions.
+    labels : sequence or mapping, optional
+        The labels of the features, by number, as ``name`` of :func:`twinedge.audit` finds them; a mapping has some of them. Ids of findings are made of
+        labels: with the same labels, they are the ids of that audit. Numbers of features must then be positions.
     coverage, accept, list, explain
         As for :func:`twinedge.audit`.
     crs
@@ -237,9 +248,12 @@ def finish(
     """
     asked = _options(list, coverage=bool(coverage), explain=bool(explain), **_limits(**limits), allow_empty=True)
     whole = None if grid is None else grid.state
-    names = [] if labels is None else [*labels]
+    if isinstance(labels, Mapping):
+        names = [labels.get(number) for number in range(max(labels, default=-1) + 1)]
+    else:
+        names = [] if labels is None else [*labels]
     ids = [None if label is None or label != label else str(label) for label in names]
-    told = _twinedge.finish(_bytes(batches, "summary"), whole, asked, _accepted(accept), ids)
+    told = _twinedge.finish(_bytes(batches, "summary"), whole, asked, _accepted(accept), ids, not isinstance(labels, Mapping))
     return Report._told(told, {"feature": names} if names else None, crs)
 
 

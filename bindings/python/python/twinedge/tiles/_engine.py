@@ -9,7 +9,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -23,15 +23,6 @@ if TYPE_CHECKING:
 
 #: The columns of rows: the id of each feature, and its geometry as well-known binary.
 COLUMNS = ("id", "geometry")
-
-
-class Audited(NamedTuple):
-    """The audit of a layer."""
-
-    #: The report.
-    report: Report
-    #: The findings and violations with the columns of :meth:`Report.to_arrow` and ``ids``, the ids of the features: a frame of the engine.
-    findings: Any
 
 
 @dataclass(frozen=True)
@@ -107,15 +98,13 @@ class Plan:
     def of(cls, surveys: list[Survey], vertices: int, limits: dict[str, Any]) -> Plan:
         """The plan for partitions, in order, with tiles of about so many vertices."""
         box = _joined([one.box for one in surveys if one.box is not None])
-        if box is None:
-            raise ValueError("the layer has no geometries")
         rows = [one.rows for one in surveys]
         if sum(rows) > 2**32:
             raise ValueError("the layer has more than 4,294,967,296 features")
         digests = [one.digest for one in surveys]
         source = "sha256 of the ids and geometries " + hashlib.sha256(b"".join(digests)).hexdigest()
         grid = Grid._of_sample([one.sample for one in surveys], vertices)
-        return cls(grid, Cuts(box, source=source), [int(sum(rows[:at])) for at in range(len(rows))], digests, limits)
+        return cls(grid, Cuts(box or (0, 0, 0, 0), source=source), [int(sum(rows[:at])) for at in range(len(rows))], digests, limits)
 
     def divide(self, batches: Any, partition: int) -> Iterator[pa.RecordBatch]:
         """The pieces of the features of a partition.
@@ -153,7 +142,9 @@ class Plan:
 
     def with_cuts(self, found: Any) -> Plan:
         """The plan after a round of cuts."""
-        return Plan(self.grid, self.cuts.take(found), self.starts, self.digests, self.limits)
+        # A layer without features has no pieces, and so no finds: one of nothing ends the round.
+        nothing = self.cuts.search([], self.grid, 0)
+        return Plan(self.grid, self.cuts.take(found, nothing), self.starts, self.digests, self.limits)
 
     def is_complete(self) -> bool:
         """True if all cuts are found."""
@@ -163,20 +154,30 @@ class Plan:
         """The summaries of tiles, merged. A partition has all pieces of its tiles."""
         yield merge(*audit_tiles(batches, self.grid, cuts=self.cuts, **self.limits))
 
-    def audited(self, summaries: Any, ids_of: Callable[[set[int]], Any], accept: Any, list: int | None) -> tuple[Report, pa.Table]:
+    def audited(self, summaries: Any, ids_of: Callable[[set[int]], Any], **options: Any) -> tuple[Report, pa.Table]:
         """The report, and its findings and violations with the ids of features.
 
         ``ids_of`` returns the features with these numbers: a table with the columns ``feature`` and ``id``.
         """
         import pyarrow as pa
 
-        options = {"grid": self.grid, "coverage": True, "accept": accept, "list": list, **self.limits}
+        options = {"grid": self.grid, "coverage": True, **options, **self.limits}
         rows = finish(summaries, **options).to_arrow()["features"].to_pylist()
         wanted = {feature for features in rows for feature in features or ()}
         found = ids_of(wanted)
         known = dict(zip(found["feature"].to_pylist(), found["id"].to_pylist()))
         # The ids of findings are made of those of their features, as on one machine.
-        report = finish(summaries, labels=[known.get(feature) for feature in range(max(wanted, default=-1) + 1)], **options)
+        report = finish(summaries, labels=known, **options)
         table = report.to_arrow()
         lists = [[known.get(feature) for feature in features or ()] for features in rows]
         return report, table.append_column("ids", pa.array(lists, pa.list_(pa.string())))
+
+
+def columns(known: Iterable[str], *names: str) -> None:
+    """Refuses columns that a layer does not have, or that are the same."""
+    has = [*known]
+    for name in names:
+        if name not in has:
+            raise ValueError(f"there is no column {name!r}; there are {', '.join(map(str, has)) or 'none'}")
+    if len({*names}) < len(names):
+        raise ValueError(f"{names[0]!r} is one column, and the geometry and the id are two")

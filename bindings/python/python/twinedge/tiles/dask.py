@@ -7,8 +7,8 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from .._columns import _by_tile
-from . import merge
-from ._engine import Audited, Plan, survey
+from . import Audited, merge
+from ._engine import Plan, columns, survey
 
 if TYPE_CHECKING:
     import pyarrow as pa
@@ -26,6 +26,7 @@ def audit(
     sliver_area: float | None = None,
     accept: Any = None,
     list: int | None = None,
+    crs: Any = None,
 ) -> Audited:
     """Audits a layer in a DataFrame of Dask as :func:`twinedge.audit` does the whole, with ``coverage=True``.
 
@@ -41,7 +42,7 @@ def audit(
         The column of geometries: well-known binary, or those of shapely.
     id
         The column of ids, which are read as strings. ``findings`` names features by them.
-    vertices, gap_width, lake_width, accept_gaps, sliver_area, accept, list
+    vertices, gap_width, lake_width, accept_gaps, sliver_area, accept, list, crs
         As for :func:`twinedge.tiles.spark.audit`.
 
     Raises ``ValueError`` and ``TypeError`` as :func:`twinedge.tiles.divide`.
@@ -52,20 +53,26 @@ def audit(
     dask: Any = import_module("dask")
     bag: Any = import_module("dask.bag")
 
+    if not hasattr(frame, "to_delayed"):
+        raise TypeError(f"expected a DataFrame of Dask, not {type(frame).__name__}")
+    columns(frame.columns, geometry, id)
+    # Threads, unless there is a client: bags would take processes.
+    scheduler = import_module("dask.base").get_scheduler(collections=[frame])
+    crs = getattr(frame, "crs", None) if crs is None else crs
     limits = {"gap_width": gap_width, "lake_width": lake_width, "accept_gaps": accept_gaps, "sliver_area": sliver_area}
     rows = [dask.delayed(_rows)(part, geometry, id) for part in frame[[id, geometry]].to_delayed()]
-    plan = Plan.of([*dask.compute(*(dask.delayed(survey)(part) for part in rows))], vertices, limits)
+    plan = Plan.of([*dask.compute(*(dask.delayed(survey)(part) for part in rows), scheduler=scheduler)], vertices, limits)
     divided = [dask.delayed(_divided)(plan, part, at) for at, part in enumerate(rows)]
-    of_tiles = bag.from_delayed(divided).groupby(lambda one: one[0]).map(_table).persist()
+    of_tiles = bag.from_delayed(divided).groupby(lambda one: one[0]).map(_table).persist(scheduler=scheduler)
     while not plan.is_complete():
-        plan = plan.with_cuts(of_tiles.map(_searched, plan).compute())
+        plan = plan.with_cuts(of_tiles.map(_searched, plan).compute(scheduler=scheduler))
     sums = of_tiles.map(_summed, plan).fold(merge, initial=merge())
 
     def ids_of(wanted: set[int]) -> pa.Table:
-        ids = dask.compute(*(dask.delayed(_ids)(plan, part, at, wanted) for at, part in enumerate(rows)))
+        ids = dask.compute(*(dask.delayed(_ids)(plan, part, at, wanted) for at, part in enumerate(rows)), scheduler=scheduler)
         return pa.concat_tables(ids)
 
-    report, findings = plan.audited(sums.compute(), ids_of, accept, list)
+    report, findings = plan.audited(sums.compute(scheduler=scheduler), ids_of, accept=accept, list=list, crs=crs)
     return Audited(report, findings.to_pandas())
 
 
@@ -77,7 +84,7 @@ def _rows(part: Any, geometry: str, id: str) -> pa.Table:
     column = part[geometry].to_numpy(object)
     if any(shapely.is_geometry(column)):
         column = shapely.to_wkb(column, flavor="iso")
-    ids = pa.array([None if one is None else str(one) for one in part[id]], pa.string())
+    ids = pa.array([None if one is None else one.decode(errors="replace") if isinstance(one, bytes) else str(one) for one in part[id]], pa.string())
     return pa.table({"id": ids, "geometry": pa.array(column, pa.binary())})
 
 

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any
+from uuid import uuid4
 
-from . import merge
-from ._engine import Audited, Plan, survey
+from . import Audited
+from ._engine import Plan, columns, survey
 
 if TYPE_CHECKING:
     import pyarrow as pa
@@ -28,6 +29,7 @@ def audit(
     sliver_area: float | None = None,
     accept: Any = None,
     list: int | None = None,
+    crs: Any = None,
 ) -> Audited:
     """Audits a layer in a relation of DuckDB as :func:`twinedge.audit` does the whole, with ``coverage=True``.
 
@@ -44,7 +46,7 @@ def audit(
         The column of ids, which are read as strings. ``findings`` names features by them.
     connection
         The connection of the relation, if that is not DuckDB's default connection.
-    vertices, gap_width, lake_width, accept_gaps, sliver_area, accept, list
+    vertices, gap_width, lake_width, accept_gaps, sliver_area, accept, list, crs
         As for :func:`twinedge.tiles.spark.audit`.
 
     Raises ``ValueError`` and ``TypeError`` as :func:`twinedge.tiles.divide`.
@@ -52,21 +54,29 @@ def audit(
     import duckdb
     import pyarrow as pa
 
+    if not hasattr(relation, "project"):
+        raise TypeError(f"expected a relation of DuckDB, not {type(relation).__name__}")
+    columns(relation.columns, geometry, id)
     database = duckdb.default_connection() if connection is None else connection
     place, name = (f'"{column.replace(chr(34), chr(34) * 2)}"' for column in (geometry, id))
     kinds = dict(zip(relation.columns, map(str, relation.types)))
     as_binary = f"ST_AsWKB({place})::BLOB" if kinds.get(geometry, "").startswith("GEOMETRY") else place
     limits = {"gap_width": gap_width, "lake_width": lake_width, "accept_gaps": accept_gaps, "sliver_area": sliver_area}
-    tables = [f"twinedge_{one}_{hash(relation) & 0xFFFFFFFF:x}" for one in ("rows", "pieces")]
+    tables = [f"twinedge_{one}_{uuid4().hex}" for one in ("rows", "pieces")]
     rows, pieces = tables
     try:
-        relation.project(f"{name}::VARCHAR AS id, {as_binary} AS geometry").query("given", f"CREATE TEMP TABLE {rows} AS SELECT * FROM given")
-        # Results are fetched whole, as none may be open while another statement runs.
-        ((count,),) = database.execute(f"SELECT count(*) FROM {rows}").fetchall()
+        numbered = f"CREATE TEMP TABLE {rows} AS SELECT row_number() OVER () - 1 AS number, * FROM given"
+        relation.project(f"{name}::VARCHAR AS id, {as_binary} AS geometry").query("given", numbered)
+        try:
+            # Results are fetched whole, as none may be open while another statement runs.
+            ((count,),) = database.execute(f"SELECT count(*) FROM {rows}").fetchall()
+        except duckdb.CatalogException:
+            relation.limit(0).query("given", f"DROP TABLE {rows}")
+            raise ValueError("connection: the relation is that of another connection") from None
 
         def read() -> Iterator[pa.Table]:
             for start in range(0, count, _ROWS):
-                yield database.sql(f"SELECT id, geometry FROM {rows} WHERE rowid >= {start} AND rowid < {start + _ROWS} ORDER BY rowid").to_arrow_table()
+                yield database.sql(f"SELECT id, geometry FROM {rows} WHERE number >= {start} AND number < {start + _ROWS} ORDER BY number").to_arrow_table()
 
         plan = Plan.of([survey(read())], vertices, limits)
         database.execute(f"CREATE TEMP TABLE {pieces} (tile BIGINT, piece BLOB)")
@@ -80,14 +90,12 @@ def audit(
         while not plan.is_complete():
             wanted = {*plan.cuts.tiles(plan.grid)}
             plan = plan.with_cuts([plan.cuts.search(of_tile(tile), plan.grid, tile) for tile in tiles if tile in wanted])
-        whole = merge()
-        for tile in tiles:
-            whole = merge(whole, *plan.summaries(of_tile(tile)))
+        whole = [summary for tile in tiles for summary in plan.summaries(of_tile(tile))]
 
         def ids_of(wanted: set[int]) -> pa.Table:
             return pa.Table.from_batches(plan.ids(read(), 0, wanted), pa.schema([("feature", pa.int64()), ("id", pa.string())]))
 
-        report, findings = plan.audited(whole, ids_of, accept, list)
+        report, findings = plan.audited(whole, ids_of, accept=accept, list=list, crs=crs)
     finally:
         for one in tables:
             database.execute(f"DROP TABLE IF EXISTS {one}")

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
-from . import merge, schema
-from ._engine import Audited, Plan, Survey, survey
+from . import Audited, merge, schema
+from ._engine import Plan, Survey, columns, survey
 
 
 def audit(
@@ -21,12 +21,14 @@ def audit(
     sliver_area: float | None = None,
     accept: Any = None,
     list: int | None = None,
+    crs: Any = None,
 ) -> Audited:
     """Audits a layer in a DataFrame of Spark as :func:`twinedge.audit` does the whole, with ``coverage=True``.
 
     Spark divides the features, gives each tile to a task, and merges the summaries of the tiles in pairs; this program gets one summary, and the ids of the
     features that the report names. The rows and the pieces are persisted meanwhile. A task that runs again makes the same bytes. If the rows of a partition
-    differ between two passes, as after the layer was replaced, the job fails and says so.
+    differ between two passes, as after the layer was replaced, the job fails and says so. What is replaced while the first pass reads it is not noticed:
+    read a snapshot. Causes are as in tiles of the program: a finding is not known to follow from another one that it touches.
 
     Parameters
     ----------
@@ -38,15 +40,22 @@ def audit(
         The column of ids, which are read as strings. ``findings`` names features by them.
     vertices
         The number of vertices of a tile, about. A task takes some 1,000 bytes for each.
-    gap_width, lake_width, accept_gaps, sliver_area, accept, list
-        As for :func:`twinedge.audit`. Summaries are smaller if ``gap_width`` and ``sliver_area`` are given.
+    gap_width, lake_width, accept_gaps, sliver_area, accept, list, crs
+        As for :func:`twinedge.audit` and :meth:`Report.to_geodataframe`. Summaries are smaller if ``gap_width`` and ``sliver_area`` are given.
 
     Raises ``ValueError`` and ``TypeError`` as :func:`twinedge.tiles.divide`, inside of Spark's error if a worker raised it.
     """
     import numpy as np
     import pyarrow as pa
+
+    if not hasattr(frame, "mapInArrow"):
+        raise TypeError(f"expected a DataFrame of Spark, not {type(frame).__name__}")
+    columns(frame.columns, geometry, id)
     from pyspark import TaskContext
     from pyspark.sql import functions as f
+
+    def column(name: str) -> Any:
+        return f.col("`" + name.replace("`", "``") + "`")
 
     def partition() -> int:
         context = TaskContext.get()
@@ -61,11 +70,11 @@ def audit(
     _SURVEY = pa.schema([("at", pa.int64()), ("rows", pa.int64()), ("box", pa.list_(pa.float64())), ("digest", pa.binary()), ("sample", pa.binary())])
     limits = {"gap_width": gap_width, "lake_width": lake_width, "accept_gaps": accept_gaps, "sliver_area": sliver_area}
     # The same rows have the same order whenever a partition is made again.
-    rows = frame.select(f.col(id).cast("string").alias("id"), f.col(geometry).alias("geometry")).sortWithinPartitions("id", "geometry").persist()
+    rows = frame.select(column(id).cast("string").alias("id"), column(geometry).alias("geometry")).sortWithinPartitions("id", "geometry").persist()
     pieces = None
     try:
-        found = sorted(rows.mapInArrow(surveyed, "at long, rows long, box array<double>, digest binary, sample binary").collect(), key=lambda row: row.at)
-        surveys = {row.at: Survey(row.rows, row.box and tuple(row.box), bytes(row.digest), np.frombuffer(bytes(row.sample)).reshape(-1, 2)) for row in found}
+        partitions = sorted(rows.mapInArrow(surveyed, "at long, rows long, box array<double>, digest binary, sample binary").collect(), key=lambda row: row.at)
+        surveys = {row.at: Survey(row.rows, row.box and tuple(row.box), bytes(row.digest), np.frombuffer(bytes(row.sample)).reshape(-1, 2)) for row in partitions}
         empty = survey([])
         plan = Plan.of([surveys.get(at, empty) for at in range(max(surveys, default=-1) + 1)], vertices, limits)
 
@@ -91,7 +100,9 @@ def audit(
             (sum,) = merge(batch(one), batch(other))["summary"].to_pylist()
             return bytes(sum)
 
-        whole = pieces.mapInArrow(summaries, "summary binary").rdd.map(lambda row: bytes(row.summary)).treeReduce(both)
+        found = pieces.mapInArrow(summaries, "summary binary").rdd.map(lambda row: bytes(row.summary))
+        # Partitions without pieces have no summaries.
+        whole = [] if found.isEmpty() else batch(found.treeReduce(both))
 
         def ids_of(wanted: set[int]) -> pa.Table:
             def ids(batches: Iterator[pa.RecordBatch], plan: Plan = plan) -> Iterator[pa.RecordBatch]:
@@ -100,7 +111,7 @@ def audit(
             named = rows.mapInArrow(ids, "feature long, id string").collect() if wanted else []
             return pa.table({"feature": [row.feature for row in named], "id": [row.id for row in named]})
 
-        report, findings = plan.audited(batch(whole), ids_of, accept, list)
+        report, findings = plan.audited(whole, ids_of, accept=accept, list=list, crs=crs)
     finally:
         rows.unpersist()
         if pieces is not None:
