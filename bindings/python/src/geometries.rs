@@ -115,7 +115,7 @@ pub(crate) fn rows(given: Vec<Given<'_>>) -> Result<Vec<Row>, Failure> {
     Ok(rows)
 }
 
-/// Returns the features of all columns, all of which can be read.
+/// Returns the features of all columns. All must be readable.
 pub(crate) fn features(given: Vec<Given<'_>>) -> Result<Vec<Feature>, Failure> {
     let feature = |(place, row): (usize, Row)| row.map_err(|why| Failure::Value(format!("geometry {place}: {why}")));
     rows(given)?.into_iter().enumerate().map(feature).collect()

@@ -224,7 +224,7 @@ pub(crate) fn take(py: Python<'_>, cut: PyBackedBytes, found: Vec<PyBackedBytes>
     Ok(PyBytes::new(py, &bytes?))
 }
 
-/// Returns the summary of a tile, from its pieces; the source is that of the cuts, if there are some.
+/// Returns the summary of a tile, from its pieces. Cuts bring their own source.
 #[pyfunction]
 #[allow(clippy::too_many_arguments, reason = "they are those of Python")]
 pub(crate) fn summarise<'py>(

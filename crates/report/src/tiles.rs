@@ -126,7 +126,7 @@ pub(crate) fn judged(
     Ok(tile::audit(grid, limits, cuts, |tile| shelf.of_tile(tile))?)
 }
 
-/// Returns the features that are invalid by the rules of the OGC, also those that could not be read.
+/// Returns the features that are invalid by the rules of the OGC or could not be read.
 fn invalid(outcome: &Outcome) -> Vec<(usize, Vec<Defect>)> {
     let unreadable = outcome.unreadable.iter().map(|(feature, _)| (*feature as usize, Vec::new()));
     let defects = outcome.defects.iter().map(|(feature, found)| (*feature as usize, found.clone()));
@@ -145,7 +145,7 @@ pub(crate) fn fitting(shelf: &mut dyn Shelf, bytes: u64) -> Result<Grid, Error> 
             }
             count += 1;
             if sample.len() == SAMPLE {
-                // Every second one of the sample, and of what follows.
+                // From here on, half as many vertices are sampled.
                 let mut is_kept = false;
                 sample.retain(|_| {
                     is_kept = !is_kept;

@@ -36,7 +36,7 @@ struct Source {
     free: Mutex<Vec<Indexed>>,
 }
 
-/// Returns the best shelf for a file: the file itself if it has boxes, otherwise that of the division.
+/// Returns the best shelf for a file: the file itself if it has boxes, otherwise the shelf for the division.
 pub(super) fn shelf_of(path: Option<&Path>, options: ReadOptions, division: Division) -> io::Result<Box<dyn Shelf>> {
     // A pipe cannot be opened again.
     let Some(path) = path.filter(|path| path.is_file()) else { return shelf_for(division) };

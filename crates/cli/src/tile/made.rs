@@ -53,7 +53,7 @@ fn audited<'f>(
     features: impl Iterator<Item = (u32, &'f Feature)> + Clone,
     asked: &Asked,
 ) -> Result<Portion, Error> {
-    // The cuts among all of these features, or none if there are too many.
+    // Finds the cuts among all of these features, unless there are too many.
     let (all, only) = (Grid::everything(), Tile(0));
     let whole = pieces(&cuts, &all, only, features.clone())?;
     let mut is_cut = true;

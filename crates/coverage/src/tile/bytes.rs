@@ -9,7 +9,7 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 use thiserror::Error;
 
-/// The beginning of the line. The name of what follows comes next.
+/// The beginning of the line, followed by the name of the saved type.
 const START: &str = "twinedge ";
 
 /// The version of the form, and the end of the line. Any change of a saved type is a new version.
@@ -34,7 +34,7 @@ pub enum BytesError {
     #[error("this is damaged: its checksum is wrong")]
     Damaged,
     /// The bytes contradict themselves, though they have the right checksum.
-    #[error("this contradicts itself: what it names is missing, out of order or out of range")]
+    #[error("this contradicts itself: its records are missing, out of order or out of range")]
     Invalid,
 }
 

@@ -193,7 +193,7 @@ impl Cuts {
         self.fresh.iter().filter(move |ends| bounds.meets(**ends))
     }
 
-    /// Finds the cuts of a tile in this round, from its [pieces](Self::pieces); those of other tiles have no effect. O(n log n + k) for k
+    /// Finds the cuts of a tile in this round, from its [pieces](Self::pieces); pieces of other tiles have no effect. O(n log n + k) for k
     /// cuts.
     ///
     /// # Errors

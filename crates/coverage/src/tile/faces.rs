@@ -161,7 +161,7 @@ fn outside(local: &Local, start: u32) -> Option<u32> {
     local.along(start).any(|h| h == *first).then_some(least)
 }
 
-/// Returns the polygons that contain the part beyond an edge: those that use it an odd number of times begin or end there.
+/// Returns the polygons that contain the part beyond an edge: a polygon that uses it an odd number of times begins or ends there.
 fn across(local: &Local, segment: u32, covers: &[u32]) -> Vec<u32> {
     let uses = local.uses(segment).chunk_by(|a, b| a == b);
     let odd = uses.filter(|same| local.covers[same[0] as usize].is_polygon && same.len() % 2 == 1).map(|same| same[0]);

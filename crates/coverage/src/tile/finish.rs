@@ -37,7 +37,7 @@ pub struct Outcome {
     pub without_geometry: Vec<u32>,
     /// The features whose geometries could not be read, by number, and why; they are no part of the map.
     pub unreadable: Vec<(u32, String)>,
-    /// Features of which a tile was not given its piece, or was given a piece of another feature with the same number.
+    /// Features whose pieces were not all given to their tiles, or that share a number with another feature.
     pub not_given: Vec<u32>,
     /// False if `V − E + F = 1 + C` does not hold for the sums, or for not exactly one unbounded face (T3); `None` if faces are
     /// unknown.

@@ -54,7 +54,7 @@ pub(super) struct Local {
     /// Distinct, in order.
     pub(super) segments: Vec<Segment>,
     ends: Vec<[u32; 2]>,
-    /// The parts of features, and those that use each edge, in order, once for each use.
+    /// The parts of features, and the parts that use each edge, in order, once for each use.
     pub(super) covers: Vec<Cover>,
     uses: Lists,
     /// The half-edges that leave each point, counter-clockwise from the positive x axis.
@@ -108,7 +108,7 @@ impl Local {
                 for chain in &part.chains {
                     let cut = cuts.map(|cuts| cuts.cut(chain));
                     if let Some(cut) = cut.as_ref().filter(|_| part.is_polygon) {
-                        // The edges are moved across the corner, if it lies between the chain and what it became.
+                        // Cutting moved the edges across the corner if it lies between the old chain and the new one.
                         let around: Vec<Point> = chain.iter().chain(cut.iter().rev()).copied().collect();
                         has_corner ^= bounds.has_corner_in(&around);
                     }

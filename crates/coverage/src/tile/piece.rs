@@ -81,7 +81,7 @@ impl Piece {
     }
 }
 
-/// Returns the edges of a chain, without those of no length.
+/// Returns the edges of a chain that have a length.
 pub(super) fn edges(chain: &[Point]) -> impl Iterator<Item = Ends> + '_ {
     chain.windows(2).map(|pair| [pair[0], pair[1]]).filter(|[a, b]| a != b)
 }

@@ -43,8 +43,8 @@ pub struct Portion {
 }
 
 impl Portion {
-    /// Audits a tile from its pieces of features, as [`Cuts::pieces`] returns them; those of other tiles have no effect. Without `cuts`, which
-    /// may be too many to be found, the coverage is known only if edges meet at vertices alone. The source is that of the cuts. O(n log n)
+    /// Audits a tile from its pieces of features, as [`Cuts::pieces`] returns them; pieces of other tiles have no effect. Without `cuts`, which
+    /// may be too many to be found, the coverage is known only if edges meet at vertices alone. Cuts bring their own source. O(n log n)
     /// for n points.
     ///
     /// # Errors

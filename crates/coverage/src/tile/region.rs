@@ -73,7 +73,7 @@ pub(super) struct Region {
     pub(super) is_unbounded: bool,
     /// True for a part larger than slivers, which has no edges.
     pub(super) is_large: bool,
-    /// The sets of features beside its edges: distinct and in order, once it is [sorted](Self::sort).
+    /// The sets of features next to its edges: distinct and in order, once it is [sorted](Self::sort).
     pub(super) sets: Vec<Vec<u32>>,
     pub(super) edges: Vec<Edge>,
 }
@@ -95,7 +95,7 @@ impl Region {
         })
     }
 
-    /// Adds an edge, with the features beside it. The region must be [sorted](Self::sort) afterwards.
+    /// Adds an edge, with the features on both sides. The region must be [sorted](Self::sort) afterwards.
     pub(super) fn put(&mut self, ends: Ends, sides: [&[u32]; 2]) {
         let sides = sides.map(|features| {
             let features = self.claim.kept_of(features);

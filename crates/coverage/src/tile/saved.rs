@@ -37,7 +37,7 @@ fn are_in_range(extents: &[(u16, u64)]) -> bool {
     extents.iter().all(|(exponent, edges)| *exponent < EXPONENTS && *edges <= MOST)
 }
 
-/// Saves a type by its fields, and checks what it loads.
+/// Saves a type by its fields, and checks each loaded value.
 macro_rules! checked {
     ($($of:ty),*) => {$(
         impl Serialize for $of {

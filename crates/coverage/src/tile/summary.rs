@@ -24,7 +24,7 @@ pub struct Summary {
     pub(super) limits: Limits,
     /// Sorted.
     pub(super) tiles: Vec<Tile>,
-    /// The corners of the box around the features of which its tiles are the first.
+    /// The corners of the box around the features whose first tile it has.
     pub(super) corners: Option<[Point; 2]>,
     pub(super) totals: Totals,
     /// The borders with tiles not yet merged, in order of both tiles.
@@ -42,7 +42,7 @@ pub struct Summary {
     pub(super) lengths: Vec<f64>,
     pub(super) areas: Vec<f64>,
     pub(super) claimed: Vec<Claimed>,
-    /// The [`Outcome`](super::Outcome)'s extents, for the features of which its tiles are the first.
+    /// The [`Outcome`](super::Outcome)'s extents, for the features whose first tile it has.
     pub(super) extents: Vec<(u16, u64)>,
     /// The features without points, and the reason if a geometry could not be read.
     pub(super) absent: Vec<(u32, Option<String>)>,

@@ -12,7 +12,7 @@ fn world() -> Vec<Feature> {
     features
 }
 
-/// The points of the pieces of all features over those of the features, and the greatest part of them in a tile.
+/// Returns the number of points in pieces, divided by the number of points of features, and the greatest share of a tile.
 fn proportions(features: &[Feature], grid: &Grid) -> [f64; 2] {
     let cuts = Cuts::new(largest(features)).expect("finite");
     let mut given = vec![0; grid.len()];
@@ -39,7 +39,7 @@ fn tiles_together_are_given_little_more_than_the_map() {
     assert!((256..=512).contains(&fitted.len()) && all < 1.2 && most < 0.01, "{} {all} {most}", fitted.len());
 }
 
-/// The shape of a feature does not matter: a diagonal meets as many tiles as it passes, and what lies around tiles is a number to them.
+/// A diagonal is given only to the tiles that it passes, and a feature around tiles is a number to them.
 #[test]
 fn a_tile_is_given_what_lies_in_it() {
     let grid = Grid::new([0.0, 0.0], [8.0, 8.0], 8, 8).expect("a grid");

@@ -162,10 +162,10 @@ def audit_tile(
     accept_gaps: Iterable[Sequence[float]] | None = None,
     sliver_area: float | None = None,
 ) -> pa.RecordBatch:
-    """The summary of one tile: a batch with one row, in the column of :func:`schema`. ``source`` is that of the cuts, if there are some.
+    """The summary of one tile: a batch with one row, in the column of :func:`schema`. Cuts bring their own ``source``.
 
-    ``batches`` must have every piece of the tile, each once; those of other tiles may be there, too. So a tile that no feature meets is made of no batches,
-    and must be made all the same. The limits are those of :func:`twinedge.audit`; if ``gap_width`` and ``sliver_area`` are given, summaries are smaller.
+    ``batches`` must have every piece of the tile, each once; pieces of other tiles have no effect. A tile without features is made of no batches, and must be
+    made as well. Limits are as for :func:`twinedge.audit`; if ``gap_width`` and ``sliver_area`` are given, summaries are smaller.
     O(n log n) for n points.
 
     Raises
@@ -189,7 +189,7 @@ def audit_tile(
 def audit_tiles(batches: Any, grid: Grid, **options: Any) -> Iterator[pa.RecordBatch]:
     """The summaries of the tiles that have pieces here: a generator of batches of one row each.
 
-    The rows are those of :func:`divide`, and all rows of a tile are there: a partition by ``tile``. Options are those of :func:`audit_tile`.
+    The rows come from :func:`divide`, and must include all rows of a tile, as in a partition by ``tile``. Options are as for :func:`audit_tile`.
     """
     return (audit_tile(part, grid, tile, **options) for tile, part in _by_tile(batches))
 

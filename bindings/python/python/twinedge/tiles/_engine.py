@@ -1,4 +1,4 @@
-"""What the engines have in common: steps over batches of rows, each of which runs on some worker, once or more often.
+"""Steps that all engines share. Each takes batches of rows, and runs on some worker, once or more often.
 
 A layer is partitioned in some way. A first pass surveys each partition. It says how many rows there are, so that features are numbered without moving
 them, where they are, and what they are: a digest of the ids and geometries, by which all later passes notice whether the layer changed meanwhile.
@@ -96,7 +96,7 @@ class Plan:
 
     @classmethod
     def of(cls, surveys: list[Survey], vertices: int, limits: dict[str, Any]) -> Plan:
-        """The plan for partitions, in order, with tiles of about so many vertices."""
+        """The plan for partitions, in order, with about ``vertices`` vertices in each tile."""
         box = _joined([one.box for one in surveys if one.box is not None])
         rows = [one.rows for one in surveys]
         if sum(rows) > 2**32:
@@ -115,7 +115,7 @@ class Plan:
             yield from divide(batch, self.grid, self.cuts)
 
     def ids(self, batches: Any, partition: int, wanted: Iterable[int]) -> Iterator[pa.RecordBatch]:
-        """The ids of those of some features that are in a partition: the columns ``feature`` and ``id``."""
+        """The ids of the wanted features of a partition: the columns ``feature`` and ``id``."""
         import pyarrow as pa
         import pyarrow.compute as pc
 
@@ -166,7 +166,7 @@ class Plan:
         wanted = {feature for features in rows for feature in features or ()}
         found = ids_of(wanted)
         known = dict(zip(found["feature"].to_pylist(), found["id"].to_pylist()))
-        # The ids of findings are made of those of their features, as on one machine.
+        # Ids of findings depend on the ids of their features, as on one machine.
         report = finish(summaries, labels=known, **options)
         table = report.to_arrow()
         lists = [[known.get(feature) for feature in features or ()] for features in rows]

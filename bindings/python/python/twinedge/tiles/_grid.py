@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 class Grid:
     """The tiles that divide a box evenly, numbered from 0: row by row, from the lower left. What lies outside belongs to the tiles at the border.
 
-    The box need not be that of the layer: any that is the same everywhere will do. :meth:`fitted` makes a grid whose tiles have about the same number of
+    Any box will do, if all tiles have the same one. :meth:`fitted` makes a grid whose tiles have about the same number of
     vertices. Grids are bytes, and equal ones are equal: a worker gets them as an argument.
     """
 
@@ -63,8 +63,8 @@ class Cuts:
     """The places where edges meet elsewhere than at vertices, and the edges that are cut there: first none, and more after each round.
 
     In a round, tiles are searched, on any worker and in any order, and what all of them found is taken; then :meth:`tiles` says which tiles the
-    next round is for. It ends when these are none. Pieces are those of :func:`divide` with cuts of any round. Cuts are bytes, as many as there is cut: a
-    worker gets them as an argument, or as a broadcast variable.
+    next round is for. The search ends when there are none. Pieces come from :func:`divide` with cuts of any round. Cuts are bytes, in proportion to the number of
+    cuts: a worker gets them as an argument, or as a broadcast variable.
     """
 
     #: The box ``(x0, y0, x1, y1)`` around the layer, as :func:`bounds` returns it. It must be the same in all rounds.

@@ -49,7 +49,7 @@ def audit(
     """
     import pyarrow as pa
 
-    # Dask has types for a part of what it has.
+    # Dask declares only some types.
     dask: Any = import_module("dask")
     bag: Any = import_module("dask.bag")
 
