@@ -293,7 +293,7 @@ async function crossings(browser, url) {
   check("findings come first", 0 <= first && first < clash, all);
   check("a clash names features", all.some((one) => one.includes("the borders of Meier and Mueller overlap from (9.5, 0) to (10, 0)")), all);
   check("and no half-edge", !all.some((one) => one.startsWith("G4") && one.includes("half-edge")), all);
-  const half = await page.evaluate(() => Number(data.findings.find((one) => one.rule === "G4").records[0].split(" ")[1]));
+  const half = await page.evaluate(() => Number(data.findings.find((one) => one.rule === "G4" && one.records[0].startsWith("half-edge")).records[0].split(" ")[1]));
   await page.type("#feature", `h${half}`);
   const found = await options(page);
   check("the clashes of an edge", found.length > 0 && found.every((one) => one.startsWith("G4")), found);

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from importlib import import_module
 from typing import Any
 
 from . import Audited, merge, schema
@@ -51,8 +52,9 @@ def audit(
     if not hasattr(frame, "mapInArrow"):
         raise TypeError(f"expected a DataFrame of Spark, not {type(frame).__name__}")
     columns(frame.columns, geometry, id)
-    from pyspark import TaskContext
-    from pyspark.sql import functions as f
+    # Typed or not, it is not needed to check the types of this module.
+    TaskContext: Any = import_module("pyspark").TaskContext
+    f: Any = import_module("pyspark.sql.functions")
 
     def column(name: str) -> Any:
         return f.col("`" + name.replace("`", "``") + "`")
