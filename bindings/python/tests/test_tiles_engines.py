@@ -190,5 +190,7 @@ def test_arguments_that_are_wrong_are_named(layer):
             audit(frame, "id")
         with pytest.raises(TypeError, match="expected a .* of .*, not DataFrame"):
             audit(rows, "shape")
+        with pytest.raises(TypeError, match="gap"):
+            audit(frame, "shape", gap=0.1)
         with pytest.raises((TypeError, ValueError), match="vertices"):
             audit(frame, "shape", vertices="many")

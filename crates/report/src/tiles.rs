@@ -67,7 +67,7 @@ pub(crate) fn audit(
     finished(imported, &grid, outcome, None, asked)
 }
 
-/// What is known of the layer that tiles were made of.
+/// The layer that tiles were made of, as far as it is known.
 #[derive(Debug)]
 pub enum TiledLayer {
     /// Facts in place of the layer.

@@ -27,7 +27,7 @@ use twinedge_report::{Error, Imported, Judged, Keep, LimitOptions, refuse_edges}
 /// as a whole for each tile; `twinedge convert` writes both formats.
 ///
 /// All tiles must be made of the same file, with the same grid, box and limits; `sum` refuses others. Each summary stores the SHA-256 of the file, for
-/// which the whole file is read; with --source, it stores a text of yours instead.
+/// which the whole file is read; with --source, it stores the given text instead.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   twinedge tile parcels.geojson --grid 2x1 --tile 0 -o 0.summary

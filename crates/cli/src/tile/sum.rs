@@ -19,7 +19,7 @@ use twinedge_report::{
 /// Merge the summaries of tiles of one map.
 ///
 /// Their sum is what `audit` says of the map. If two files have the same tile, one of them must be left out. Tiles that are missing, or
-/// that were made without cuts where borders cross, are named by column and row.
+/// that were made without cuts where borders cross, are named by number.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   twinedge sum *.summary

@@ -24,7 +24,7 @@ pub enum BytesError {
     /// The bytes are something else.
     #[error("these bytes are not {expected}")]
     Foreign {
-        /// What was expected.
+        /// The expected type, in words.
         expected: &'static str,
     },
     /// The bytes were written by a version of this library with another form.

@@ -117,8 +117,8 @@ struct Division<'a> {
     found: BTreeMap<Tile, Vec<Part>>,
 }
 
-/// What lies in a part of the grid: edges, directed as in the feature, a point as an edge without length, and whether the
-/// polygon contains the lower left corner.
+/// The content of a part of the grid: edges, directed as in the feature, and whether the polygon contains the lower left corner. A
+/// point is an edge without length.
 struct Within {
     edges: Vec<Ends>,
     has_corner: bool,

@@ -12,7 +12,7 @@ use twinedge_geometry::{Point, threads};
 /// The greatest number of tiles.
 const MOST: u32 = 1 << 20;
 
-/// The greatest number of lines around each other. Those of a sample halve it, two by two.
+/// The greatest depth of the tree of lines. A fitted tree is about twice as deep as the logarithm of its sample.
 const DEEPEST: usize = 100;
 
 /// A division of the plane into half-open boxes, the tiles.
@@ -53,7 +53,7 @@ impl fmt::Display for Tile {
     }
 }
 
-/// What determines a grid.
+/// The definition of a grid.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 enum Form {
@@ -229,14 +229,6 @@ impl Grid {
         }
     }
 
-    /// Returns the tiles that meet the closed box between two corners, in order. O(tiles met · depth of the lines).
-    #[must_use]
-    pub fn tiles_between(&self, low: Point, high: Point) -> Vec<Tile> {
-        let mut found = self.search(|line| [!line.is_passed(low), line.is_passed(high)]);
-        found.sort_unstable();
-        found
-    }
-
     /// Returns the corners of a tile's box, infinite where the grid ends; `None` if there is no such tile.
     #[must_use]
     pub fn corners_of(&self, tile: Tile) -> Option<[Point; 2]> {
@@ -343,7 +335,7 @@ fn fit(points: &mut [Point], most: usize, lines: &mut Vec<Option<Line>>) {
     }
 }
 
-/// Returns the line through the middle of some points, which it sorts across the line; `None` if they are equal, or not finite.
+/// Returns the line through the middle of some points, which it sorts across the line; `None` if they are equal.
 fn parting(points: &mut [Point]) -> Option<Line> {
     let of = |is_level: bool, p: &Point| if is_level { p.y } else { p.x };
     let extent = |is_level: bool| {
@@ -351,8 +343,7 @@ fn parting(points: &mut [Point]) -> Option<Line> {
         all.clone().fold(f64::NEG_INFINITY, f64::max) - all.fold(f64::INFINITY, f64::min)
     };
     let is_level = extent(true) > extent(false);
-    let is_wide = extent(is_level) > 0.0 && extent(is_level).is_finite();
-    if !is_wide {
+    if extent(is_level) <= 0.0 {
         return None;
     }
     threads::sort_unstable_by(points, |p, q| of(is_level, p).total_cmp(&of(is_level, q)));

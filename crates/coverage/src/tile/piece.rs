@@ -6,14 +6,14 @@ use super::grid::{Grid, Tile};
 use crate::Defect;
 use twinedge_geometry::Point;
 
-/// What a tile needs of a feature, as [`Cuts::pieces`](super::Cuts::pieces) returns it.
+/// The part of a feature that a tile needs, as [`Cuts::pieces`](super::Cuts::pieces) returns it.
 ///
 /// With the feature `serde`, pieces are saved and loaded as bytes, so that each can be sent to the worker of its tile.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(remote = "Self"))]
 pub struct Piece {
-    /// The fingerprint of the grid; `None` for the first tile of any.
+    /// The fingerprint of the grid; `None` if the feature cannot be read, as its piece fits any grid.
     pub(super) grid: Option<u64>,
     pub(super) tile: Tile,
     pub(super) feature: u32,
@@ -25,7 +25,7 @@ pub struct Piece {
     pub(super) parts: Vec<Part>,
 }
 
-/// What is known of the feature as a whole.
+/// Facts about the whole feature.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Whole {

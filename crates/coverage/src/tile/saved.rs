@@ -148,7 +148,11 @@ impl Piece {
                 && corners
                     .is_none_or(|[low, high]| is_point(&low) && is_point(&high) && low.x <= high.x && low.y <= high.y)
         };
-        let is_piece = self.first <= self.tile && self.of > 0 && self.whole.is_some() == (self.first == self.tile);
+        let is_of_any_grid = self.tile == Tile(0) && self.parts.is_empty();
+        let is_piece = self.first <= self.tile
+            && self.of > 0
+            && self.whole.is_some() == (self.first == self.tile)
+            && (self.grid.is_some() || is_of_any_grid);
         if !is_piece {
             return Err(SavedError::Tiles);
         }

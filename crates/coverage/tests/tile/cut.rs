@@ -219,7 +219,7 @@ fn too_many_edges_are_a_violation_of_t4() {
     compare(&features, &grid(&[2.0], &[1.0]), &Limits::default(), &mut Random::new(60));
 }
 
-/// Regression: a polygon that no tile had a piece of was not missed where pieces were made for another grid.
+/// Regression: pieces that were divided for another grid were accepted, and their features vanished from a valid map.
 #[test]
 fn pieces_of_another_grid_are_refused() {
     let features = [feature([area([0.0, 0.0], [2.0, 2.0])])];
@@ -227,6 +227,9 @@ fn pieces_of_another_grid_are_refused() {
     let pieces = all_pieces(&one, &features);
     assert_eq!(Summary::new(&other, Tile(0), &pieces, &Limits::default()).unwrap_err(), TileError::OtherGrid);
     assert_eq!(Cuts::new(2.0).expect("finite").search(&other, Tile(0), &pieces).unwrap_err(), TileError::OtherGrid);
+    let mut forged = serde_json::to_value(&pieces[0]).expect("it can be saved");
+    forged["grid"] = serde_json::Value::Null;
+    assert!(serde_json::from_value::<Piece>(forged).is_err(), "only a piece without edges is of any grid");
     let unreadable = Piece::unreadable(1, "it is damaged");
     let found = Summary::new(&other, Tile(0), [&unreadable], &Limits::default()).expect("it is of any grid");
     let rest = Summary::new(&other, Tile(1), [], &Limits::default()).expect("nothing is there");

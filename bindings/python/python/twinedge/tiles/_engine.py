@@ -9,12 +9,14 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
+from itertools import accumulate
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from .. import _twinedge
 from .._columns import _batches, _binary, _column
+from .._options import _limits
 from .._report import Report
 from . import Cuts, Grid, audit_tiles, divide, finish, merge
 
@@ -27,7 +29,7 @@ COLUMNS = ("id", "geometry")
 
 @dataclass(frozen=True)
 class Survey:
-    """What is known of a partition, or of several."""
+    """Facts about the rows of a partition."""
 
     rows: int
     box: tuple[float, float, float, float] | None
@@ -97,6 +99,8 @@ class Plan:
     @classmethod
     def of(cls, surveys: list[Survey], vertices: int, limits: dict[str, Any]) -> Plan:
         """The plan for partitions, in order, with about ``vertices`` vertices in each tile."""
+        # Wrong limits are refused here, and not by the first worker.
+        _limits(**limits)
         box = _joined([one.box for one in surveys if one.box is not None])
         rows = [one.rows for one in surveys]
         if sum(rows) > 2**32:
@@ -104,7 +108,7 @@ class Plan:
         digests = [one.digest for one in surveys]
         source = "sha256 of the ids and geometries " + hashlib.sha256(b"".join(digests)).hexdigest()
         grid = Grid._of_sample([one.sample for one in surveys], vertices)
-        return cls(grid, Cuts(box or (0, 0, 0, 0), source=source), [int(sum(rows[:at])) for at in range(len(rows))], digests, limits)
+        return cls(grid, Cuts(box or (0, 0, 0, 0), source=source), [*accumulate(rows, initial=0)], digests, limits)
 
     def divide(self, batches: Any, partition: int) -> Iterator[pa.RecordBatch]:
         """The pieces of the features of a partition.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
@@ -20,13 +20,10 @@ def audit(
     id: str = "id",
     *,
     vertices: int = 100_000,
-    gap_width: float | None = None,
-    lake_width: float | None = None,
-    accept_gaps: Iterable[Sequence[float]] | None = None,
-    sliver_area: float | None = None,
     accept: Any = None,
     list: int | None = None,
     crs: Any = None,
+    **limits: Any,
 ) -> Audited:
     """Audits a layer in a DataFrame of Dask as :func:`twinedge.audit` does the whole, with ``coverage=True``.
 
@@ -42,7 +39,7 @@ def audit(
         The column of geometries: well-known binary, or those of shapely.
     id
         The column of ids, which are read as strings. ``findings`` names features by them.
-    vertices, gap_width, lake_width, accept_gaps, sliver_area, accept, list, crs
+    vertices, accept, list, crs, limits
         As for :func:`twinedge.tiles.spark.audit`.
 
     Raises ``ValueError`` and ``TypeError`` as :func:`twinedge.tiles.divide`.
@@ -59,7 +56,6 @@ def audit(
     # Threads, unless there is a client: bags would take processes.
     scheduler = import_module("dask.base").get_scheduler(collections=[frame])
     crs = getattr(frame, "crs", None) if crs is None else crs
-    limits = {"gap_width": gap_width, "lake_width": lake_width, "accept_gaps": accept_gaps, "sliver_area": sliver_area}
     rows = [dask.delayed(_rows)(part, geometry, id) for part in frame[[id, geometry]].to_delayed()]
     plan = Plan.of([*dask.compute(*(dask.delayed(survey)(part) for part in rows), scheduler=scheduler)], vertices, limits)
     divided = [dask.delayed(_divided)(plan, part, at) for at, part in enumerate(rows)]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 from uuid import uuid4
 
@@ -23,13 +23,10 @@ def audit(
     *,
     connection: Any = None,
     vertices: int = 100_000,
-    gap_width: float | None = None,
-    lake_width: float | None = None,
-    accept_gaps: Iterable[Sequence[float]] | None = None,
-    sliver_area: float | None = None,
     accept: Any = None,
     list: int | None = None,
     crs: Any = None,
+    **limits: Any,
 ) -> Audited:
     """Audits a layer in a relation of DuckDB as :func:`twinedge.audit` does the whole, with ``coverage=True``.
 
@@ -46,7 +43,7 @@ def audit(
         The column of ids, which are read as strings. ``findings`` names features by them.
     connection
         The connection of the relation, if that is not DuckDB's default connection.
-    vertices, gap_width, lake_width, accept_gaps, sliver_area, accept, list, crs
+    vertices, accept, list, crs, limits
         As for :func:`twinedge.tiles.spark.audit`.
 
     Raises ``ValueError`` and ``TypeError`` as :func:`twinedge.tiles.divide`.
@@ -61,7 +58,6 @@ def audit(
     place, name = (f'"{column.replace(chr(34), chr(34) * 2)}"' for column in (geometry, id))
     kinds = dict(zip(relation.columns, map(str, relation.types)))
     as_binary = f"ST_AsWKB({place})::BLOB" if kinds.get(geometry, "").startswith("GEOMETRY") else place
-    limits = {"gap_width": gap_width, "lake_width": lake_width, "accept_gaps": accept_gaps, "sliver_area": sliver_area}
     tables = [f"twinedge_{one}_{uuid4().hex}" for one in ("rows", "pieces")]
     rows, pieces = tables
     try:

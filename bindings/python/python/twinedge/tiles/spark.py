@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator
 from importlib import import_module
 from typing import Any
 
@@ -16,13 +16,10 @@ def audit(
     id: str = "id",
     *,
     vertices: int = 100_000,
-    gap_width: float | None = None,
-    lake_width: float | None = None,
-    accept_gaps: Iterable[Sequence[float]] | None = None,
-    sliver_area: float | None = None,
     accept: Any = None,
     list: int | None = None,
     crs: Any = None,
+    **limits: Any,
 ) -> Audited:
     """Audits a layer in a DataFrame of Spark as :func:`twinedge.audit` does the whole, with ``coverage=True``.
 
@@ -41,8 +38,8 @@ def audit(
         The column of ids, which are read as strings. ``findings`` names features by them.
     vertices
         The number of vertices of a tile, about. A task takes some 1,000 bytes for each.
-    gap_width, lake_width, accept_gaps, sliver_area, accept, list, crs
-        As for :func:`twinedge.audit` and :meth:`Report.to_geodataframe`. Summaries are smaller if ``gap_width`` and ``sliver_area`` are given.
+    accept, list, crs, limits
+        As for :func:`twinedge.tiles.finish`. Summaries are smaller if ``gap_width`` and ``sliver_area`` are given.
 
     Raises ``ValueError`` and ``TypeError`` as :func:`twinedge.tiles.divide`, inside of Spark's error if a worker raised it.
     """
@@ -52,7 +49,7 @@ def audit(
     if not hasattr(frame, "mapInArrow"):
         raise TypeError(f"expected a DataFrame of Spark, not {type(frame).__name__}")
     columns(frame.columns, geometry, id)
-    # Typed or not, it is not needed to check the types of this module.
+    # Checking the types of this module does not take pyspark.
     TaskContext: Any = import_module("pyspark").TaskContext
     f: Any = import_module("pyspark.sql.functions")
 
@@ -64,18 +61,18 @@ def audit(
         assert context is not None
         return int(context.partitionId())
 
+    of_survey = pa.schema([("at", pa.int64()), ("rows", pa.int64()), ("box", pa.list_(pa.float64())), ("digest", pa.binary()), ("sample", pa.binary())])
+
     def surveyed(batches: Iterator[pa.RecordBatch]) -> Iterator[pa.RecordBatch]:
         found = survey(batches)
         row = {"at": partition(), "rows": found.rows, "box": found.box, "digest": found.digest, "sample": found.sample.tobytes()}
-        yield pa.RecordBatch.from_pylist([row], _SURVEY)
+        yield pa.RecordBatch.from_pylist([row], of_survey)
 
-    _SURVEY = pa.schema([("at", pa.int64()), ("rows", pa.int64()), ("box", pa.list_(pa.float64())), ("digest", pa.binary()), ("sample", pa.binary())])
-    limits = {"gap_width": gap_width, "lake_width": lake_width, "accept_gaps": accept_gaps, "sliver_area": sliver_area}
     # The same rows have the same order whenever a partition is made again.
     rows = frame.select(column(id).cast("string").alias("id"), column(geometry).alias("geometry")).sortWithinPartitions("id", "geometry").persist()
     pieces = None
     try:
-        partitions = sorted(rows.mapInArrow(surveyed, "at long, rows long, box array<double>, digest binary, sample binary").collect(), key=lambda row: row.at)
+        partitions = rows.mapInArrow(surveyed, "at long, rows long, box array<double>, digest binary, sample binary").collect()
         surveys = {row.at: Survey(row.rows, row.box and tuple(row.box), bytes(row.digest), np.frombuffer(bytes(row.sample)).reshape(-1, 2)) for row in partitions}
         empty = survey([])
         plan = Plan.of([surveys.get(at, empty) for at in range(max(surveys, default=-1) + 1)], vertices, limits)
